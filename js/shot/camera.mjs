@@ -16,8 +16,8 @@ const NOTHING = Object.freeze({ corners: [], shadow: [] });
  * @param {object} camera as the schema parsed it: a view, an explicit camera or {gltf}
  * @param {number} aspect width / height
  * @param {ReturnType<import('./facts.mjs').readFacts>} facts
- * @param {{corners: import('./frame.mjs').Vec3[], shadow: import('./frame.mjs').Vec3[]}} [ground] its corners, which must lie
- *   between near and far, and those of the shadow on it, which must be in the frame
+ * @param {{corners: import('./frame.mjs').Vec3[], shadow: import('./frame.mjs').Vec3[], trueHeight?: number}} [ground] its corners, which
+ *   must lie between near and far, and those of the shadow on it, which must be in the frame, as far as one of `trueHeight` metres holds it
  * @returns {object} explicit camera: {projection, position, target, up, fovY | height, near, far}
  */
 export function resolveCamera(camera, aspect, facts, ground = NOTHING) {
@@ -41,10 +41,11 @@ function frameView(camera, aspect, facts, ground) {
   const angles = azimuth === undefined && elevation === undefined ? VIEWS[view ?? 'front'] : { azimuth: azimuth ?? 0, elevation: elevation ?? 0 };
   const whole = needBounds(facts, 'camera');
   const seen = isPart(frame) ? boundsOfPart(frame, facts) : whole;
-  const place = (shadow) => frameBounds(seen, { ...angles, projection, fovY, fit, fitTo }, aspect, { shadow, whole });
+  const place = (shadow) =>
+    frameBounds(seen, { ...angles, projection, fovY, fit, fitTo }, aspect, { shadow, ground: ground.corners, whole, trueHeight: ground.trueHeight });
   const alone = place([]);
   const placed = frame === 'scene' && seesGround(alone, ground, { ...angles, projection, fitTo }) ? place(ground.shadow) : alone;
-  const planes = ground.corners.length > 0 ? depthRangeOf(widened(whole, ground.corners), placed.position, placed.target) : {};
+  const planes = ground.corners.length > 0 ? depthRangeOf(widened(whole, ground.corners), { ...placed, projection }, [whole, seen]) : {};
   const framed = { ...camera, fovY, ...placed, ...planes };
   refuseTiny(seen, projection === 'perspective' ? framed.near : framed.height);
   return ordered(framed);
@@ -91,13 +92,16 @@ function complete(camera, facts, extras) {
     throw wrongValue(['camera', 'up'], 'a direction that is not along the view', up);
   }
   const isFitted = camera.near === undefined || camera.far === undefined;
-  const fitted = isFitted ? depthRangeOf(widened(needBounds(facts, 'camera.near and camera.far'), extras), position, target) : {};
+  const fitted = isFitted ? fittedPlanes({ position, target, projection }, needBounds(facts, 'camera.near and camera.far'), extras) : {};
   if (isFitted && projection === 'perspective' && camera.near === undefined) refuseTiny(facts.bounds, fitted.near);
   const { near = Math.min(fitted.near, camera.far / 2 || Infinity), far = Math.max(fitted.far, 2 * camera.near || 0) } = camera;
   if (projection === 'perspective' && !(near > 0)) throw wrongValue(['camera', 'near'], 'a distance above 0', near);
   if (!(far > near)) throw wrongValue(['camera', 'far'], `a distance beyond near (${near})`, far);
   return ordered({ ...camera, projection, fovY, height, near, far });
 }
+
+/** A ground may push far out, and never near into the model. */
+const fittedPlanes = (camera, bounds, extras) => depthRangeOf(widened(bounds, extras), camera, [bounds]);
 
 function needBounds({ bounds }, what) {
   if (bounds) return bounds;

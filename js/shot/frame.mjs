@@ -22,6 +22,18 @@ export const VIEWS = Object.freeze({
 /** A camera nearer to the box than this part of its diagonal would cut it with the near plane. */
 const CLEARANCE = 1e-3;
 
+/** Part of the far distance at which a view with perspective begins whose camera stands in what it shows. */
+const INSIDE = 1e-3;
+
+/**
+ * Least part of the far distance at which a view with perspective begins. At a distance d a step of 24 bits of depth is
+ * d^2 / (near 2^24) long: with this part at most far / 1,700. A camera a hair outside of a box would leave no depth at all.
+ */
+const LEAST = 1e-4;
+
+/** Where a view with perspective begins that has nothing nearer than `nearest`, which is not above 0 for a camera that stands inside. */
+export const nearPlane = (nearest, far) => (nearest > 0 ? Math.max(nearest, LEAST * far) : INSIDE * far);
+
 export const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 export const subtract = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 export const length = (a) => Math.sqrt(dot(a, a));
@@ -100,11 +112,14 @@ function seenFromAnywhere(points) {
   return { high: reach, low: reach, middle: () => 0 };
 }
 
-/** Directions that share one scale with a camera's own, by `fitTo`; and how far a box about the origin reaches towards the camera. */
+/** Directions that share one scale with a camera's own, by `fitTo`; and how far points reach towards their cameras. */
 const FIT_TO = {
-  view: { see: seenFrom, front: (half, { back }) => largest(cornersOf(half), (c) => dot(c, back)) },
-  turntable: { see: seenAllRound, front: ([x, y, z], { up, back }) => Math.sqrt(x * x + z * z) * Math.abs(up[1]) + y * Math.abs(back[1]) },
-  all: { see: seenFromAnywhere, front: length },
+  view: { see: seenFrom, front: (points, { back }) => largest(points, (p) => dot(p, back)) },
+  turntable: {
+    see: seenAllRound,
+    front: (points, { up, back }) => largest(points, ([x, y, z]) => Math.sqrt(x * x + z * z) * Math.abs(up[1]) + y * back[1]),
+  },
+  all: { see: seenFromAnywhere, front: (points) => largest(points, length) },
 };
 
 /** What `camera.fitTo` may be. */
@@ -122,6 +137,23 @@ function centringShift(corners, axis, distance) {
   return largest(corners, (p) => -largest(corners, (q) => -root(p, q)));
 }
 
+/**
+ * How far a camera without perspective stands from the middle: any distance will do at which all of it stands before the camera, and the
+ * ground too, which a parallel view shows wherever it reaches.
+ */
+function parallelDistance({ whole, shadow, ground, centre }, { fitTo }, basis) {
+  const size = 2 * length(centreAndHalf(whole).half);
+  const distance = Math.max(
+    size,
+    largest(shadow, (point) => length(subtract(point, centre))),
+  );
+  // From beneath there is no ground to be seen.
+  const isSeen = fitTo === 'all' || basis.back[1] > 0;
+  const corners = isSeen ? ground.map((point) => subtract(point, centre)) : [];
+  const reach = FIT_TO[fitTo].front(corners, basis);
+  return reach > distance ? reach + size : distance;
+}
+
 /** A shadow stays this far inside the frame, as a part of its half: the outline of a round model misses it by 3 % of its radius. */
 const SHADOW_PART = 0.96;
 
@@ -132,11 +164,15 @@ const SHADOW_PART = 0.96;
  * @param {{azimuth: number, elevation: number, projection: 'perspective' | 'orthographic', fovY?: number, fit: number, fitTo: string}} view
  *   degrees; fit above 0, more than 1 cuts the model; fitTo: one of FITS
  * @param {number} aspect width / height
- * @param {{shadow?: Vec3[], whole?: Bounds}} [scene] shadow: points that stay in the frame too, unless `fit` is above 1; whole: the
- *   model's box where `bounds` are a part of it
+ * @param {{shadow?: Vec3[], ground?: Vec3[], whole?: Bounds, trueHeight?: number}} [scene] shadow: points that stay in the frame too, unless `fit` is above 1;
+ *   ground: its corners, which stand before the camera where there is no perspective; whole: the model's box where `bounds` are a part of it;
+ *   trueHeight: metres that an orthographic frame will have, whatever `fit` asks for
  * @returns {{position: Vec3, target: Vec3, up: Vec3, height?: number, near: number, far: number}}
  */
-export function frameBounds(bounds, { azimuth, elevation, projection, fovY, fit, fitTo }, aspect, { shadow = [], whole = bounds } = {}) {
+export function frameBounds(bounds, view, aspect, { shadow = [], ground = [], whole = bounds, trueHeight = Infinity } = {}) {
+  const { azimuth, elevation, projection, fovY, fitTo } = view;
+  // A given height cuts what it cuts.
+  const fit = trueHeight < Infinity ? Math.min(view.fit, 1) : view.fit;
   const basis = viewBasis(azimuth, elevation);
   const { centre, half } = centreAndHalf(bounds);
   const { see, front } = FIT_TO[fitTo];
@@ -152,27 +188,20 @@ export function frameBounds(bounds, { azimuth, elevation, projection, fovY, fit,
   const diagonal = 2 * length(half);
   const camera =
     projection === 'perspective'
-      ? framePerspective(seen, tanDegrees(fovY / 2), aspect, front(half, basis) + CLEARANCE * diagonal)
-      : // Without perspective any distance will do at which all of it stands before the camera.
-        frameOrthographic(
-          seen,
-          aspect,
-          diagonal,
-          Math.max(
-            2 * length(centreAndHalf(whole).half),
-            largest(shadow, (point) => length(subtract(point, centre))),
-          ),
-        );
+      ? framePerspective(seen, tanDegrees(fovY / 2), aspect, front(cornersOf(half), basis) + CLEARANCE * diagonal)
+      : frameOrthographic(seen, aspect, { diagonal, distance: parallelDistance({ whole, shadow, ground, centre }, view, basis), trueHeight });
   const target = scaleAdd(scaleAdd(centre, camera.x, basis.right), camera.y, basis.up);
   const position = plain(scaleAdd(target, camera.distance, basis.back));
   // Depth goes by the box, which holds every vertex.
-  const nearest = FIT_TO.view.front(half, basis);
+  const nearest = FIT_TO.view.front(cornersOf(half), basis);
   return {
     position,
     target: plain(target),
     up: plain(basis.up),
     ...(camera.height !== undefined && { height: camera.height }),
-    ...(whole === bounds ? depthRange(camera.distance - nearest, camera.distance + nearest, bounds) : depthRangeOf(whole, position, target)),
+    ...(whole === bounds
+      ? depthRange([camera.distance - nearest, camera.distance + nearest], bounds, projection)
+      : depthRangeOf(whole, { position, target, projection }, [bounds])),
   };
 }
 
@@ -207,42 +236,61 @@ function framePerspective(seen, slopeY, aspect, leastDistance) {
   return { distance, x, y };
 }
 
-function frameOrthographic(seen, aspect, diagonal, distance) {
+/** Whether all of it lies in the frame with its middle there; roomOf: half of the frame, or a part of that. */
+const holds = (seen, axis, middle, roomOf) =>
+  seen.every((one) => Math.max(one.high(axis, 0) - middle, one.low(axis, 0) + middle) <= roomOf(Math.max(one.part, SHADOW_PART) + 1e-9));
+
+function frameOrthographic(seen, aspect, { diagonal, distance, trueHeight }) {
   const halfOf = (a, b) => Math.max(a.high(1, 0) + b.low(1, 0), (a.high(0, 0) + b.low(0, 0)) / aspect) / (a.part + b.part);
   const height = 2 * largestOfPairs(seen, halfOf);
   const isFlat = !(height * seen[0].part > 1e-9 * diagonal);
   const framed = isFlat ? diagonal / seen[0].part : height;
-  const [x, y] = [aspect, 1].map((side, axis) => shiftFor(seen, axis, distance, ({ part }) => ({ slope: 0, room: (part * framed * side) / 2 })));
+  const shown = Math.min(framed, trueHeight);
+  const [x, y] = [aspect, 1].map((side, axis) => {
+    const roomOf = (part) => (part * shown * side) / 2;
+    const shift = shiftFor(seen, axis, distance, ({ part }) => ({ slope: 0, room: roomOf(part) }));
+    // A frame in true scale may be too small for model and shadow: it shows the model then.
+    return shown === framed || holds(seen, axis, shift, roomOf) ? shift : seen[0].middle(axis, distance, 0);
+  });
   return { distance, x, y, height: framed };
 }
 
 /**
  * Near and far distances that hold the box between them: tight, for the precision of the depth buffer, with room for the
  * rounding of 32-bit vertex positions.
- * @param {number} nearest distance of the box's nearest corner along the view axis; may be negative (camera inside)
- * @param {number} farthest
+ * @param {[number, number]} distances of the box's nearest and farthest corner along the view axis; may be negative (camera inside)
  * @param {Bounds} bounds
+ * @param {'perspective' | 'orthographic'} projection depth of an orthographic one has the same step everywhere
  */
-function depthRange(nearest, farthest, bounds) {
+function depthRange([nearest, farthest], bounds, projection) {
   const coordinate = Math.max(...bounds.min.map(Math.abs), ...bounds.max.map(Math.abs));
   // 32-bit floats have a relative step of 1.2e-7; a few steps are lost on the way to clip space.
   const pad = 0.01 * (farthest - nearest) + 1e-3 * Math.abs(farthest) + 5e-7 * coordinate;
   const far = farthest + pad;
-  if (far <= 0) return { near: 1e-3 * pad, far: pad };
-  return { near: nearest > 0 ? Math.max(nearest - pad, nearest / 2) : 1e-3 * far, far };
+  if (far <= 0) return { near: INSIDE * pad, far: pad };
+  const before = Math.max(nearest - pad, nearest / 2);
+  return { near: projection === 'orthographic' && before > 0 ? before : nearPlane(before, far), far };
 }
 
-/**
- * Near and far for a camera that stands where the caller put it.
- * @param {Bounds} bounds
- * @param {Vec3} position
- * @param {Vec3} target
- */
-export function depthRangeOf(bounds, position, target) {
+/** Distances of a box's nearest and farthest corner along the view axis. */
+function distancesTo(bounds, { position, target }) {
   const view = subtract(target, position);
   const axis = view.map((x) => x / length(view));
   const { centre, half } = centreAndHalf(bounds);
   const middle = dot(subtract(centre, position), axis);
   const reach = Math.abs(axis[0]) * half[0] + Math.abs(axis[1]) * half[1] + Math.abs(axis[2]) * half[2];
-  return depthRange(middle - reach, middle + reach, bounds);
+  return [middle - reach, middle + reach];
+}
+
+/**
+ * Near and far for a camera that stands somewhere.
+ * @param {Bounds} bounds of all that is shown
+ * @param {{position: Vec3, target: Vec3, projection: 'perspective' | 'orthographic'}} camera
+ * @param {Bounds[]} [parts] of it that near must not cut: in a view from inside near grows with the farthest of what is shown
+ */
+export function depthRangeOf(bounds, camera, parts = []) {
+  const range = (box) => depthRange(distancesTo(box, camera), box, camera.projection);
+  const before = parts.filter((part) => distancesTo(part, camera)[1] > 0);
+  const { near, far } = range(bounds);
+  return { near: Math.min(near, ...before.map((part) => range(part).near)), far };
 }

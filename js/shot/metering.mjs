@@ -29,7 +29,8 @@ export function meteredSize({ size: { width, height } }) {
 }
 
 /**
- * The picture that is read, as the server draws it: the model alone, radiance, one sample a pixel.
+ * The picture that is read, as the server draws it: the model alone, radiance by the exposure of the lens, one sample a pixel. A picture
+ * holds light up to that of a half float, and a lens dims what is brighter.
  * @internal
  * @param {object} shot resolved
  * @returns {object} resolved
@@ -38,11 +39,12 @@ export function meteringShot(shot) {
   // Each triangle is shaded for itself, as the browser does it: merged quads move the exposure by a hundredth.
   const quality = inOrder(RASTER, { ...PRESETS.draft, mergeQuads: false });
   const output = { ...shot.output, format: 'raw', bitDepth: 32 };
-  return { ...shot, size: meteredSize(shot), background: 'transparent', ground: 'none', lens: null, exposure: 1, quality, layers: ['beauty'], output };
+  const drawn = { background: 'transparent', ground: 'none', lens: null, exposure: lensExposure(shot.lens), quality, layers: ['beauty'], output };
+  return { ...shot, size: meteredSize(shot), ...drawn };
 }
 
 /**
- * @param {ArrayLike<number>} pixels - RGBA, linear Rec.709 before exposure, multiplied by alpha.
+ * @param {ArrayLike<number>} pixels - RGBA, linear Rec.709, multiplied by alpha.
  * @returns {Float64Array} Luminance of the pixels that show the model, the darkest first.
  */
 function luminances(pixels) {
@@ -60,11 +62,11 @@ function luminances(pixels) {
  * the percentile to the level: a single value there may be another pixel in another renderer.
  * src: after the band of the histogram in Narkowicz 2016, "Automatic Exposure"
  * @param {object} shot - Resolved, with `metering`.
- * @param {ArrayLike<number>} pixels - Of the picture that `meteredSize` tells, RGBA, linear Rec.709 before exposure and tone mapping,
- *   multiplied by alpha.
+ * @param {ArrayLike<number>} pixels - Of the picture that `meteredSize` tells, RGBA, linear Rec.709 with the exposure of the lens, before
+ *   the shot's own and tone mapping, multiplied by alpha.
  * @returns {number} In least..most; 1 where no pixel shows the model.
  */
-export function meteredExposure({ metering: { percentile, level, least, most }, lens }, pixels) {
+export function meteredExposure({ metering: { percentile, level, least, most } }, pixels) {
   const sorted = luminances(pixels);
   if (sorted.length === 0) return 1;
   const end = Math.max(Math.round(percentile * sorted.length), 1);
@@ -72,5 +74,5 @@ export function meteredExposure({ metering: { percentile, level, least, most }, 
     .subarray(Math.min(Math.max(Math.floor((percentile - BAND) * sorted.length), 0), end - 1), end)
     .map((value) => Math.log2(Math.max(value, DARKEST)));
   const mean = 2 ** (band.reduce((sum, value) => sum + value) / band.length);
-  return Math.min(Math.max(level / (mean * lensExposure(lens)), least), most);
+  return Math.min(Math.max(level / mean, least), most);
 }

@@ -1,6 +1,6 @@
 import { TelarError } from '../error/index.mjs';
 import { wrongValue } from './complain.mjs';
-import { cornersOfBox, cross, dot, length, subtract } from './frame.mjs';
+import { cornersOfBox, cross, dot, length, nearPlane, subtract } from './frame.mjs';
 import { LIGHTS } from './table/lights.mjs';
 import { inOrder, otherwiseOf } from './table/resolved.mjs';
 import { arcTangent, tanDegrees } from './trig.mjs';
@@ -31,9 +31,6 @@ const WIDEST = 170;
 
 /** Least part of a spot's cone that its map holds, for a model that is a point. */
 const NARROWEST = 1e-3;
-
-/** Part of the far distance at which a map begins when the light stands in the model. */
-const NEAREST = 1e-3;
 
 /** Steps of 32-bit floats that positions lose on the way through the shaders, relative to the largest coordinate. */
 const ROUNDING = 2 ** -21;
@@ -117,10 +114,11 @@ function fitDirectional(light, shadow, casters, receivers, { bounds, origin, isP
   };
 }
 
-/** Depth range of a perspective map: `nearest` and `farthest` are distances along its axis, of casters and of all points. */
-function perspectiveRange({ range }, nearest, farthest) {
+/** Depth range of a perspective map, by distances along its axis: of casters from nearest to `casterDepth`, and of all points to `farthest`. */
+function perspectiveRange({ range }, nearest, casterDepth, farthest) {
   const far = range || 1.01 * farthest;
-  return { near: Math.min(Math.max(0.9 * nearest, 0), far / 2) || NEAREST * far, far };
+  // A wide ground pushes far alone: what casts the shadow is as near as it was.
+  return { near: Math.min(nearPlane(0.9 * nearest, Math.min(far, 1.01 * casterDepth)), far / 2), far };
 }
 
 function fitSpot(light, shadow, casters, receivers, { origin, isPacked }) {
@@ -135,10 +133,11 @@ function fitSpot(light, shadow, casters, receivers, { origin, isPacked }) {
   // As narrow as the casters allow; the whole cone where the light stands in their midst.
   const cone = widestFocus(light);
   const border = nearest > 0 ? largest(casters, slope) / (1 - (2 * reachOf(shadow, isPacked)) / shadow.mapSize) : Infinity;
+  const casterDepth = Math.max(largest(casters, depth), least);
   return {
-    ...perspectiveRange(light, nearest, Math.max(largest([...casters, ...receivers], depth), least)),
+    ...perspectiveRange(light, nearest, casterDepth, Math.max(largest(receivers, depth), casterDepth)),
     focus: border < Infinity ? Math.min(cone, Math.max(arcTangent(border) / light.angle, NARROWEST)) : cone,
-    casterDepth: Math.max(largest(casters, depth), least),
+    casterDepth,
   };
 }
 
@@ -154,10 +153,8 @@ function fitPoint(light, shadow, casters, receivers, { origin, isPacked }) {
     light.position.map((p, i) => Math.max(min[i] - p, p - max[i], 0)),
     (x) => x,
   );
-  return {
-    ...perspectiveRange(light, toBox, Math.max(largest([...casters, ...receivers], depth), least)),
-    casterDepth: Math.max(largest(casters, depth), least),
-  };
+  const casterDepth = Math.max(largest(casters, depth), least);
+  return { ...perspectiveRange(light, toBox, casterDepth, Math.max(largest(receivers, depth), casterDepth)), casterDepth };
 }
 
 /** Slope of the map's border against its axis. */

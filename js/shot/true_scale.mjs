@@ -33,7 +33,7 @@ const WIDE = 1e9;
  * @returns {{size: {width: number, height: number}, camera: object}} camera: explicit
  */
 export function resolveScale({ scale, size: given, camera, output }, { hasSize, facts, standing }) {
-  const cameraFor = (wanted, aspect) => resolveCamera(wanted, aspect, facts, standing);
+  const cameraFor = (wanted, aspect, trueHeight) => resolveCamera(wanted, aspect, facts, { ...standing, trueHeight });
   if (scale === 'none') return { size: given, camera: cameraFor(camera, given.width / given.height) };
   const ratio = ratioOf(scale);
   if (!(ratio >= 1e-3 && ratio <= 1e4)) throw wrongValue(['scale'], '"none", or a scale from "1000:1" to "1:10000"', scale);
@@ -43,7 +43,8 @@ export function resolveScale({ scale, size: given, camera, output }, { hasSize, 
   if (camera.position !== undefined) return { size: given, camera: cameraFor(placedAt(camera, given.height * metresPerPixel), given.width / given.height) };
   const framed = { ...camera, projection: 'orthographic' };
   const size = hasSize ? given : sizeOf(framed, cameraFor, metresPerPixel, scale);
-  return { size, camera: { ...cameraFor(framed, size.width / size.height), height: Math.max(size.height * metresPerPixel, TINY) } };
+  const height = Math.max(size.height * metresPerPixel, TINY);
+  return { size, camera: { ...cameraFor(framed, size.width / size.height, height), height } };
 }
 
 /** An explicit camera that sees so many metres. */

@@ -78,6 +78,8 @@ const FRAMING = [
   '* **Ground.** Where the shot has a `ground`, the shadow on it is not cut by the frame: the camera moves away and aside as far as that needs, and not',
   '  at all where the shadow is in the frame already. A shadow longer than three diagonals of the model, of a low sun or a lamp beside the model, runs',
   '  out of the frame as in a photograph. `frame: "model"` frames the model as if there were no ground.',
+  '* **True scale.** With `scale` and `size` the frame is as high as these say, whatever `fit` asks for. Where it is too small for the model with its',
+  '  shadow, the model is in its middle.',
   '* **Parts.** `frame: {node: "Sleeve"}` frames the nodes of that name with all beneath them, `frame: {material: "Denim"}` what wears that material in the',
   "  shot's variant; an index does too. The rest of the model is drawn, and lies in front of the part where it stands there.",
   '  The command line takes `--frame node=Sleeve`. `resolveShot` needs to know what the part measures: `renderer.factsOf(model, shot)` says it, and',

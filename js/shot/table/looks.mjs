@@ -89,7 +89,7 @@ export const LOOKS = Object.freeze({
 const DOCS = Object.entries(LOOKS).map(([name, { doc }]) => `"${name}": ${doc}`);
 
 export const look = choice(
-  `Keys that the shot leaves out are taken from a look, those of \`camera\` one by one; \`telar looks --json\` prints them as shots. ${DOCS.join('; ')}`,
+  `Keys that the shot leaves out are taken from a look, those of \`camera\` one by one (with a \`scale\` it has no lens, and in a format without transparency its background is white); \`telar looks --json\` prints them as shots. ${DOCS.join('; ')}`,
   ['none', ...Object.keys(LOOKS)],
   { default: 'none', drawn: false },
 );

@@ -19,11 +19,11 @@ test('the browser bundle needs nothing of Node and resolves to the same bits', a
     globalName: 'telarShot',
     platform: 'browser',
   });
-  // The schema and its parser; a library that slips in is more. Rows of knobs took it from 107 to 110.3 kB. The one table of errors is left out: it grows with the pool and the service.
+  // The schema and its parser; a library that slips in is more. Rows of knobs took it from 107 to 110.3 kB, and what holds views over a ground and in true scale to 111.9. The one table of errors is left out: it grows with the pool and the service.
   const [{ inputs }] = Object.values(outputs);
   const table = Object.entries(inputs).find(([name]) => name.endsWith('js/error/table.mjs'))[1].bytesInOutput;
   const bytes = text.length - table;
-  assert.ok(bytes < 111_000, `${bytes} bytes without the table of errors`);
+  assert.ok(bytes < 113_000, `${bytes} bytes without the table of errors`);
   // A realm with the language alone: no process, no require, no Buffer.
   const realm = vm.createContext({});
   vm.runInContext(text, realm);

@@ -32,6 +32,29 @@ test('of a camera each key is filled in by itself, where it stands as a whole', 
   assert.deepEqual(camera(placed), plain(placed));
 });
 
+test('each look has a true scale: its lens is left out', () => {
+  for (const [look, { shot }] of Object.entries(LOOKS)) {
+    const { fovY: _, ...camera } = shot.camera;
+    const scaled = { scale: '1:5', output: { ppi: 150 } };
+    const wanted = { ...resolved({ ...shot, ...scaled, camera }), look };
+    assert.deepEqual(resolved({ look, ...scaled }), wanted, look);
+    assert.deepEqual(resolved({ look, ...scaled, camera: { fit: shot.camera.fit } }), wanted, look);
+    assert.deepEqual(resolved({ look, scale: 'none' }), resolved({ look }));
+  }
+  const own = { look: 'catalogue', scale: '1:5', output: { ppi: 150 }, camera: { fovY: 15 } };
+  assert.throws(() => resolved(own), { code: 'E_SHOT', message: 'shot.camera.fovY: expected no fovY with the orthographic projection, got 15' });
+});
+
+test('each look has a format without transparency, which shows it before white', () => {
+  for (const look of Object.keys(LOOKS)) {
+    const [png, jpeg] = ['png', 'jpeg'].map((format) => resolved({ look, output: { format } }).background);
+    assert.deepEqual(jpeg, png === 'transparent' ? [1, 1, 1] : png, look);
+  }
+  assert.equal(resolved({ look: 'ghost', output: { format: 'webp' } }).background, 'transparent');
+  assert.throws(() => resolved({ look: 'ghost', background: 'transparent', output: { format: 'jpeg' } }), { code: 'E_SHOT', pointer: '/background' });
+  for (const output of ['jpeg', { format: 'constructor' }, null]) assert.throws(() => resolved({ look: 'ghost', output }), { code: 'E_SHOT' });
+});
+
 test('a resolved shot with a look resolves to itself', () => {
   const once = resolved({ look: 'furniture' });
   assert.deepEqual(resolved(once), once);

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { createRenderer } from '../../../js/index.mjs';
 import { resolveShot } from '../../../js/shot/index.mjs';
-import { meteredExposure, meteredSize } from '../../../js/shot/metering.mjs';
+import { meteredExposure, meteredSize, meteringShot } from '../../../js/shot/metering.mjs';
 import { MODELS } from '../../fixtures/index.mjs';
 
 const BOUNDS = { min: [-1, -1, -1], max: [1, 1, 1] };
@@ -33,10 +33,13 @@ test('the factor keeps to its bounds, and is 1 where there is nothing to see', (
   for (const nothing of [[], grey(1, 0), [NaN, NaN, NaN, 1]]) assert.equal(meteredExposure(shotOf({}), nothing), 1);
 });
 
-test('it stands beside the lens, which meters as well', () => {
+test('the picture that is read has the exposure of the lens', () => {
   const lens = { aperture: 8, shutter: 1 / 60, iso: 200 };
-  const exposure = ((1 / 60) * 200) / (120 * 64);
-  isNear(meteredExposure(shotOf({ level: 0.5 }, { lens }), grey(1 / exposure)), 0.5);
+  const { exposure, lens: drawn } = meteringShot(shotOf({}, { lens, exposure: 7 }));
+  isNear(exposure, ((1 / 60) * 200) / (120 * 64));
+  assert.equal(drawn, null);
+  for (const other of [null, { aperture: 8 }]) assert.equal(meteringShot(shotOf({}, { lens: other, exposure: 7 })).exposure, 1);
+  isNear(meteredExposure(shotOf({ level: 0.5 }, { lens }), grey(1)), 0.5);
 });
 
 test('a picture is as much brighter as its factor', () => {
@@ -79,6 +82,23 @@ test('a metered picture is that of its factor, and tells it', async (t) => {
   const dimmed = await renderer.render(model, { ...shot, background: 'white', lights: [], ground: 'none', environment: { intensity: 0.25 } });
   assert.ok(Math.abs(dimmed.info.meteredExposure / other.info.meteredExposure - 4) < 0.02, 'a quarter of the light, four times the factor');
   assert.deepEqual(dimmed.data.length, other.data.length);
+});
+
+test('light that a half float does not hold is metered by the lens that dims it', async (t) => {
+  const renderer = await createRenderer();
+  t.after(() => renderer.close());
+  const model = await MODELS.stage();
+  const lens = { aperture: 16, shutter: 1 / 400, iso: 100 };
+  const exposure = 100 / 400 / (120 * 256);
+  const factorOf = async (intensity, rest) => {
+    const lights = [{ type: 'ambient', intensity }];
+    const shot = { size: { width: 64, height: 64 }, environment: 'none', lights, metering: { least: 0.01, most: 100 }, ...rest };
+    return (await renderer.render(model, shot)).info.meteredExposure;
+  };
+  for (const sun of [3e5, 1e6]) {
+    const [bright, dim] = [await factorOf(sun, { lens }), await factorOf(sun * exposure, {})];
+    assert.ok(Math.abs(bright / dim - 1) < 2e-3, `${sun}: ${bright}, ${dim}`);
+  }
 });
 
 test('a flat has no light to meter', async (t) => {
