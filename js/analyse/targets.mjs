@@ -32,8 +32,17 @@ export function fabricTargets(names) {
   return names.map((name) => ({ name, source: DRAPE, shot: { camera: DRAPE_CAMERA, variant: name } }));
 }
 
-/** Names as they are, those that occur more than once with their place in the list. @param {string[]} names */
-export const numbered = (names) => names.map((name, i) => (names.filter((each) => each === name).length > 1 ? `${name} ${i + 1}` : name));
+/** Names as they are, those that occur more than once with a number that makes no other name: their place in the list, or a later one. @param {string[]} names */
+export function numbered(names) {
+  const taken = new Set(names);
+  return names.map((name, i) => {
+    if (names.filter((each) => each === name).length === 1) return name;
+    let number = i + 1;
+    while (taken.has(`${name} ${number}`)) ++number;
+    taken.add(`${name} ${number}`);
+    return `${name} ${number}`;
+  });
+}
 
 /**
  * @param {string[]} files

@@ -33,7 +33,7 @@ export interface RenderOptions extends DrawOptions {
    */
   onPreview?: (preview: Preview) => void;
   /**
-   * Of a quality of `{maxError}`: whether the error that was reached is measured after the picture is drawn, for `info.goal.reached`: a window
+   * Of a quality of `{maxError}`: whether the error that was reached is measured after the picture is drawn, in its `timeoutMs`, for `info.goal.reached`: a window
    * of it is drawn by the same settings and by path tracing. Some tenths of a second of CPU, seconds for cloth of rough relief.
    * @default false
    */

@@ -37,7 +37,7 @@ async function beneath(folder) {
 
 /** A file: URL as the path that it means: names of pictures and checks of folders go by paths. */
 function asPath(given) {
-  if (!given.startsWith('file:')) return given;
+  if (!/^file:/i.test(given)) return given;
   try {
     return fileURLToPath(given);
   } catch {

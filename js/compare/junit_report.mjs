@@ -15,6 +15,13 @@ function brokenSuite({ name, problem, status }) {
   </testsuite>`;
 }
 
+/** A first picture that was accepted: there was nothing to compare it with. */
+const acceptedSuite = ({ name }) => `  <testsuite name="${escaped(name)}" tests="1" failures="0">
+    <testcase classname="${escaped(name)}" name="accepted"/>
+  </testsuite>`;
+
+const suiteOf = (each) => (each.verdict ? suite(each) : each.problem ? brokenSuite(each) : acceptedSuite(each));
+
 function suite({ name, verdict: { gate, checks }, hints = [], status }) {
   // What was accepted is no failure any more.
   const shown = status === 'updated' ? checks.map((item) => ({ ...item, pass: true })) : checks;
@@ -38,6 +45,6 @@ ${shown
  * @returns {string}
  */
 export function junitReport(comparisons) {
-  const suites = comparisons.filter(({ verdict, problem }) => verdict ?? problem).map((each) => (each.verdict ? suite(each) : brokenSuite(each)));
+  const suites = comparisons.filter(({ verdict, problem, status }) => verdict ?? problem ?? (status === 'updated' || undefined)).map(suiteOf);
   return `<?xml version="1.0" encoding="UTF-8"?>\n<testsuites>\n${suites.join('\n')}\n</testsuites>\n`;
 }

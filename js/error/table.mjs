@@ -268,7 +268,7 @@ const ROWS = {
     W_SHEET_FIT: ['A part of a sheet finds no room in its figure', 'The message says where it stands instead; use a larger paper, or other views.'],
     W_SHEET_GIRTH: [
       'A girth of a sheet does not close, or does not stay in its plane',
-      'The length of an open line: check its point and its part, or close gaps with `join`. One that is drawn tight and slides: leave out `tight`.',
+      'An open girth has the length of an open line: check its point and its part, or close gaps with `join`. If it slides when it is drawn tight, leave out `tight`.',
     ],
     W_SHEET_POINT: ['A point of measure lies off the garment', 'The nearest point of the surface, or the nearest line around it, is taken: check the anchors.'],
     W_SHEET_ROUND: [

@@ -1,5 +1,6 @@
 import { pointerText } from '../shot/complain.mjs';
 import { specifiedIn } from './specified.mjs';
+import { MOST } from './table/basics.mjs';
 import { UNITS } from './table/index.mjs';
 
 /** What differs between two specs. They are as callers wrote them, and may be anything. */
@@ -30,7 +31,8 @@ function millimetres(length, { units = 'cm' }) {
 /** The specified lengths of a point of measure by size. */
 function lengthsOf({ values, grade }, spec) {
   const sizes = own(spec.header, 'sizes');
-  const header = { sizes: Array.isArray(sizes) ? sizes : [], baseSize: own(spec.header, 'baseSize') };
+  // The last revision is compared as it was given: a spec has no more sizes.
+  const header = { sizes: Array.isArray(sizes) ? sizes.slice(0, MOST.sizes) : [], baseSize: own(spec.header, 'baseSize') };
   const given = isObject(values) ? values : {};
   const isGraded = typeof grade === 'number' && typeof own(given, header.baseSize) === 'number' && header.sizes.includes(header.baseSize);
   const named = isGraded ? [...Object.keys(given), ...header.sizes] : Object.keys(given);

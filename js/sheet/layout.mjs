@@ -61,10 +61,10 @@ export class Layout {
   }
 
   /** Tells of a length of the spec that is printed as another one. @param {(string | number)[]} path @param {number} length in the spec's units */
-  roundedAt(path, length, printed) {
+  roundedAt(path, length, printed, of = '') {
     const { units, printedUnits } = this.spec;
     const at = path.map((key, i) => (typeof key === 'number' ? `[${key}]` : `${i > 0 ? '.' : ''}${key}`)).join('');
-    this.warn('W_SHEET_ROUND', `spec.${at}: ${length} ${units} is printed as ${printedText(printed)} ${printedUnits}`, pointerText(path));
+    this.warn('W_SHEET_ROUND', `spec.${at}: ${length} ${units}${of} is printed as ${printedText(printed)} ${printedUnits}`, pointerText(path));
   }
 
   #indexOf({ name }) {

@@ -29,7 +29,7 @@ function pathOf(measured, { closed: isAsked }) {
 /** Metres from a point to a line. */
 function distanceTo(point, { polyline, closed }) {
   const ends = closed ? [...polyline.slice(1), polyline[0]] : polyline.slice(1);
-  const distances = ends.map((end, i) => {
+  const distanceOf = (end, i) => {
     const [along, to] = [subtract(end, polyline[i]), subtract(point, polyline[i])];
     const part = Math.min(1, Math.max(0, dot(to, along) / dot(along, along) || 0));
     return Math.hypot(
@@ -38,8 +38,8 @@ function distanceTo(point, { polyline, closed }) {
         along.map((x) => part * x),
       ),
     );
-  });
-  return Math.min(...distances);
+  };
+  return ends.reduce((least, end, i) => Math.min(least, distanceOf(end, i)), Infinity);
 }
 
 /** Tells of points that lie off what was measured, and of a girth that does not close or stays where it is asked for. */
@@ -53,7 +53,8 @@ async function warnOf(measured, ask, { code, pointer, warn, section }) {
   if (!measured.closed)
     warn('W_SHEET_GIRTH', `spec.measures: the girth ${name} does not close around the part; what is measured is an open line`, `${pointer}/girth`);
   const { point, tight, normal = [0, 1, 0] } = ask.girth;
-  const slid = tight ? Math.max(...measured.polyline.map((at) => Math.abs(dot(subtract(at, point), normal)) / Math.hypot(...normal))) : 0;
+  const offPlane = (at) => Math.abs(dot(subtract(at, point), normal)) / Math.hypot(...normal);
+  const slid = tight ? measured.polyline.reduce((most, at) => Math.max(most, offPlane(at)), 0) : 0;
   if (slid > SLID)
     warn(
       'W_SHEET_GIRTH',

@@ -32,6 +32,8 @@ const INSTEAD = Object.freeze({
 export function checkShared(shot, name = 'options.shot') {
   for (const [key, value] of Object.entries(shot)) {
     if (value === undefined || !Object.hasOwn(INSTEAD, key)) continue;
-    throw new TelarError('E_OPTION', `${name}.${key}: a sheet does not take it; ${INSTEAD[key]}. Of a shot it takes ${SHARED.join(', ')}`);
+    throw new TelarError('E_OPTION', `${name}.${key}: a sheet does not take it; ${INSTEAD[key]}. Of a shot it takes ${SHARED.join(', ')}`, {
+      pointer: `/shot/${key}`,
+    });
   }
 }

@@ -85,7 +85,7 @@ function converted(wanted, isMost) {
  * How a length of the spec is printed: as it was given, where its unit is printed. Centimetres and millimetres are of one kind.
  * @param {number} length
  * @param {{units: string, printedUnits: string}} spec
- * @param {boolean} [isMost] a tolerance, which is never printed larger than it is
+ * @param {boolean} [isMost] a tolerance, which is never printed larger than was given; 0.0156 inch means a sixty-fourth
  * @returns {Printed}
  */
 export function printedOf(length, { units, printedUnits }, isMost = false) {

@@ -99,16 +99,16 @@ async function figuresOfView(layout, view, measures) {
 /** What a row prints of the spec, and what it is told where that is another length. */
 function printedRow(layout, measure) {
   const { spec } = layout;
-  const print = (length, key, isMost) => {
+  const print = (length, key, isMost, size) => {
     if (length === undefined) return undefined;
     const printed = printedOf(length, spec, isMost);
-    if (!printed.isKept) layout.roundedAt(['measures', measure.id, ...key], length, printed);
+    if (!printed.isKept) layout.roundedAt(['measures', measure.id, ...key], length, printed, key[0] === 'grade' ? ` of size ${JSON.stringify(size)}` : '');
     return printed;
   };
   const lengths = new Map(
     spec.header.sizes.map((size) => {
-      const key = measure.values[size] === undefined ? ['grade'] : ['values', size];
-      return [size, print(specifiedIn(measure, size, spec.header), key)];
+      const key = Object.hasOwn(measure.values, size) ? ['values', size] : ['grade'];
+      return [size, print(specifiedIn(measure, size, spec.header), key, false, size)];
     }),
   );
   return { measure, tolerance: print(measure.tolerance, ['tolerance'], true), lengths };

@@ -42,6 +42,7 @@ test('what is undefined is not given, and what is unknown is left to the shot', 
 test('messages say what to do', () => {
   const refused = (shot, message) => assert.throws(() => checkShared(shot), { code: 'E_OPTION', message });
   refused({ ghost: [] }, /^options\.shot\.ghost: .*; give `ghost` to the views of the spec\. Of a shot it takes environment, /);
+  assert.throws(() => checkShared({ pose: {} }), { pointer: '/shot/pose' });
   refused({ materials: {} }, /; write the cloth into the model: flats, lengths and colours are taken of the file\./);
 });
 
