@@ -91,7 +91,7 @@ export interface Plan {
   features: string[];
   programs: Array<{ features: string[] }>;
   passes: string[];
-  /** Whether quality "reference" shows all of it: no points or lines, no glass, no texture in blocks that only a GPU reads. Of inspect alone. */
+  /** Whether quality "reference" shows all of it: no points or lines, no glass, no texture in blocks that only a GPU reads, and no ghosts, whose shadow the raster leaves out. Of inspect alone. */
   traceable?: boolean;
   /** Of one pass over the picture and its shadow maps, hidden ones too, at most; counting stops beyond L_FRAGMENTS. Of inspect alone. */
   fragments?: number;

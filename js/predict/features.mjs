@@ -43,7 +43,7 @@ export function featuresOf(resolved, { features, passes = [], fragments = Infini
     triangles,
     pixels,
     covered: Math.round(Math.min(pixels, fragments, outline.length > 2 ? outlinePixels(outline, camera, size) : Infinity)),
-    // The raster shows all of it sharp.
+    // A lens that blurs is the tracer's alone.
     traceable: traceable && layers.length === 1 && !lens?.focusDistance,
   };
 }

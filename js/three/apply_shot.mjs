@@ -71,7 +71,7 @@ export async function applyShot(shot, target) {
 
 async function apply(shot, { THREE, renderer, scene, camera, model, environment, areaLightTables, cloths, revision = 'shot' }) {
   matchRelease(shot, THREE, revision);
-  if (model) await recallAssociations(model);
+  if (model) recallAssociations(model);
   applyOutput(shot, THREE, renderer);
   if (shot.lights.some(({ type }) => type === 'rect')) await prepareAreaLights(THREE, areaLightTables);
   const isStock = isStockShading(shot.shading);

@@ -3,25 +3,28 @@ const recalled = new WeakSet();
 
 /**
  * Tells again what of the file the objects of a model's scene are. GLTFLoader keeps that of the scene that it has loaded last, which of a file with several need not be
- * the one that is drawn: cloths, variants and parts would be found nowhere. Nodes that scenes share stay unknown: all but the first have a copy.
- * @param {{scene: import('three').Object3D, parser?: object}} model - What GLTFLoader gave.
+ * the one that is drawn: parts of it would be found nowhere. The loader adds the nodes of a scene in the file's order, and those below a node behind what that draws.
+ * @param {{scene: import('three').Object3D, scenes?: import('three').Object3D[], parser?: object}} model - What GLTFLoader gave, as it gave it.
  */
-export async function recallAssociations({ scene, parser }) {
-  const { scenes = [], nodes = [] } = parser?.json ?? {};
-  if (scenes.length < 2 || recalled.has(scene)) return;
+export function recallAssociations({ scene, scenes = [], parser }) {
+  const { scenes: files = [], nodes = [], scene: first = 0 } = parser?.json ?? {};
+  if (files.length < 2 || recalled.has(scene)) return;
   recalled.add(scene);
   const numbers = new Map();
-  const visit = async (index) => {
-    // It is there: the loader keeps it.
-    numbers.set(await parser.getDependency('node', index), index);
-    await Promise.all((nodes[index].children ?? []).map(visit));
+  const visit = (object, index) => {
+    if (!object) return; // a caller has taken it out
+    numbers.set(object, index);
+    const { children = [] } = nodes[index];
+    const own = object.children.length - children.length;
+    for (const [i, child] of children.entries()) visit(object.children[own + i], child);
   };
-  await Promise.all((scenes[parser.json.scene ?? 0].nodes ?? []).map(visit));
+  const drawn = files[scenes.includes(scene) ? scenes.indexOf(scene) : first];
+  for (const [i, index] of (drawn.nodes ?? []).entries()) visit(scene.children[i], index);
   const tell = (object, known) => parser.associations.set(object, { ...known, ...parser.associations.get(object) });
   for (const [object, index] of numbers) {
     tell(object, { nodes: index });
     // One that was half told when the other scene was done lacks its mesh.
-    drawnBy(object, numbers).forEach((mesh, primitives) => tell(mesh, { meshes: nodes[index].mesh, primitives }));
+    for (const [primitives, mesh] of drawnBy(object, numbers).entries()) tell(mesh, { meshes: nodes[index].mesh, primitives });
   }
 }
 

@@ -1,4 +1,5 @@
 import { Outline } from '../shot/outline.mjs';
+import { recallAssociations } from './associations.mjs';
 import { camerasOf } from './cameras.mjs';
 import { visitDrawnPoints } from './drawn_points.mjs';
 import { isLeftOut } from './ghost.mjs';
@@ -21,6 +22,7 @@ import { applyPose } from './pose.mjs';
  *   animations: {name: string, duration: number}[], part?: object}} metres, world space, seconds
  */
 export function factsOf(model, { THREE, pose = null, frame, variant = '', ghost = [] }) {
+  recallAssociations(model);
   const outline = new Outline();
   const [box, shown] = [new THREE.Box3(), new THREE.Box3()];
   applyPose(model, pose, { THREE });

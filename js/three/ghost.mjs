@@ -51,7 +51,7 @@ export const isLeftOut = (model, object, shot) => ghostsOf(model, object, shot).
 /** A copy is blended as GLTFLoader sets up alpha mode BLEND. */
 function ghostOf(material, opacity) {
   const ghost = material.clone();
-  // What is opaque has no alpha of its own.
+  // The opacity of what is opaque is none. The alpha of its map and vertices counts, as on the server.
   const own = material.transparent || material.alphaTest > 0 ? material.opacity : 1;
   Object.assign(ghost, { transparent: true, depthWrite: false, alphaTest: 0, opacity: own * opacity, visible: material.visible && opacity > 0 });
   solid.set(ghost, material);

@@ -7,7 +7,7 @@ std::shared_ptr<const Material> Ghosts::of(const Material& material, float opaci
   if (kept) return kept;
   auto ghost = std::make_shared<Material>(material);
   ghost->alphaMode = AlphaMode::kBlend;
-  // What is opaque has no alpha of its own.
+  // The factor of what is opaque is no alpha. That of its texture and vertices counts, as in the browser.
   ghost->baseColorFactor.a = (isOpaque(material) ? 1.0f : material.baseColorFactor.a) * opacity;
   kept = std::move(ghost);
   return kept;

@@ -112,6 +112,7 @@ Counts countsOf(const Scene& scene, const Shot& shot) {
 }  // namespace
 
 bool isTraceable(const Scene& scene, const Shot& shot) {
+  if (hasGhosts(shot)) return false;
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
     if (frame::materialAt(scene, static_cast<int>(i), shot.shading).layers.transmissionFactor > 0) return false;
   }
@@ -126,7 +127,7 @@ bool isTraceable(const Scene& scene, const Shot& shot) {
 
 std::optional<Shot> tracedInstead(const Scene& scene, const Shot& shot) {
   if (!isShaded(shot) || !isLitTheSame(shot) || !isTraceable(scene, shot)) return std::nullopt;
-  if (isBlendedInOrder(scene, shot) || hasGhosts(shot)) return std::nullopt;
+  if (isBlendedInOrder(scene, shot)) return std::nullopt;
   const Counts counts = countsOf(scene, shot);
   if (tracerMs(counts, shot) > rasterMs(counts, shot)) return std::nullopt;
   Shot traced = shot;

@@ -10,6 +10,8 @@ namespace telar::measure {
 /// Where a plane cuts a face: from one crossing to another, each on an edge of it.
 struct Cut {
   std::array<std::uint32_t, 2> crossings{};
+  std::array<glm::dvec3, 2>
+      away{};                ///< from each crossing into the face, in the plane: known also where both are one place
   std::uint32_t source = 0;  ///< of the face
 };
 

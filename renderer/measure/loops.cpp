@@ -38,6 +38,16 @@ std::vector<Loop> loopsOf(const std::vector<std::array<std::uint32_t, 2>>& links
   return loops;
 }
 
+/// The direction in which a plane goes on from a side of a face into it.
+glm::dvec3 intoFace(const Surface& surface, const surface::Face& face, std::size_t side, const glm::dvec3& normal) {
+  const auto at = [&](std::size_t k) { return surface.corner(face, static_cast<int>(side + k)); };
+  const glm::dvec3 along = at(1) - at(0), toApex = at(2) - at(0);
+  const glm::dvec3 way = glm::cross(glm::cross(along, toApex), normal);
+  // Towards the apex, across the side.
+  const double across = glm::dot(way, toApex * glm::dot(along, along) - along * glm::dot(along, toApex));
+  return across < 0 ? -way : way;
+}
+
 /// The point so far along a line of points.
 glm::dvec3 along(const std::vector<glm::dvec3>& points, double length) {
   for (std::size_t i = 1; i < points.size(); ++i) {
@@ -191,11 +201,15 @@ std::vector<Loop> sectionOf(const Surface& surface, const glm::dvec3& point, con
   std::vector<Cut> cuts;
   for (std::uint32_t f = 0; f < surface.faces.size(); ++f) {
     if (f % FACES_PER_CANCEL_CHECK == 0) cancel.check();
-    std::vector<std::uint32_t> cut;
-    for (const std::uint32_t e : surface.faces[f].edges) {
-      if (crossing[e] != surface::NONE) cut.push_back(crossing[e]);
+    const surface::Face& face = surface.faces[f];
+    std::vector<std::size_t> cut;  // sides of the face
+    for (std::size_t side = 0; side < 3; ++side) {
+      if (crossing[face.edges[side]] != surface::NONE) cut.push_back(side);
     }
-    if (cut.size() == 2) cuts.push_back({{cut[0], cut[1]}, surface.faces[f].source});
+    if (cut.size() != 2) continue;
+    cuts.push_back({{crossing[face.edges[cut[0]]], crossing[face.edges[cut[1]]]},
+                    {intoFace(surface, face, cut[0], normal), intoFace(surface, face, cut[1], normal)},
+                    face.source});
   }
   partBranches(cuts, points, surface.sources, cancel);
   std::vector<std::array<std::uint32_t, 2>> links;

@@ -86,7 +86,7 @@ void addShotLight(Lights& lights, const Shot::Light& light, const glm::dvec3& ce
 void addModelLight(Lights& lights, const ModelLight& light, const glm::dmat4& world, const glm::dvec3& centre) {
   const glm::vec3 color(glm::dvec3(light.color) * static_cast<double>(light.intensity));
   const glm::dvec3 position = glm::dvec3(world[3]) - centre, toLight = towardsLight(light, world);
-  if (light.type != LightType::kPoint && toLight == glm::dvec3(0)) return;
+  if (!shines(light, world)) return;
   switch (light.type) {
     case LightType::kDirectional:
       lights.punctual.push_back(directionalLight(color, toLight));

@@ -109,7 +109,7 @@ std::optional<glm::dvec3> colorOf(const Scene& scene, const surface::Surface& su
   if (worn.material < 0) return std::nullopt;
   const Material& material = materialOf(scene, worn);
   if (material.baseColorTexture && !tile) return meanWornColor(scene, surface, worn, cancel);
-  if (material.alphaMode != AlphaMode::kOpaque) return std::nullopt;
+  if (!isOpaque(material)) return std::nullopt;
   glm::dvec3 color(material.baseColorFactor);
   const glm::dvec3 vertices(worn.color / worn.area);
   if (vertices != glm::dvec3(1)) color *= vertices;

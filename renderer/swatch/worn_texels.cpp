@@ -79,41 +79,71 @@ double areaOf(const surface::Surface& surface, const surface::Face& face) {
   return glm::length(glm::cross(surface.corner(face, 1) - a, surface.corner(face, 2) - a)) / 2;
 }
 
-/// Triangles of one primitive, by the vertices that they share there: where its panels end in the texture, they share none.
-class Rings {
- public:
-  void add(const Corners& corners) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t p = corners[k], q = corners[(k + 1) % 3];
-      ++sides_[{std::min(p, q), std::max(p, q)}];
-      beside_[p].push_back(q);
-      beside_[q].push_back(p);
-    }
-  }
-
-  /// Rings around each vertex: 0 at a border. Where there is none, all are 0.
-  std::map<std::uint32_t, std::uint32_t> count() const {
-    std::map<std::uint32_t, std::uint32_t> rings;
-    std::vector<std::uint32_t> ring;
-    for (const auto& [side, faces] : sides_) {
-      if (faces != 1) continue;
-      for (const std::uint32_t p : {side.first, side.second}) {
-        if (rings.emplace(p, 0).second) ring.push_back(p);
-      }
-    }
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const std::uint32_t next = rings.at(ring[i]) + 1;
-      for (const std::uint32_t p : beside_.at(ring[i])) {
-        if (rings.emplace(p, next).second) ring.push_back(p);
-      }
-    }
-    return rings;
-  }
-
- private:
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> sides_;
-  std::map<std::uint32_t, std::vector<std::uint32_t>> beside_;
+/// Triangles of one primitive, and how large they are.
+struct Patch {
+  const Primitive* primitive = nullptr;
+  std::vector<Corners> triangles;
+  std::vector<double> areas;
 };
+
+/// Rings of triangles around each vertex of a patch, by the vertices that they share in the texture: 0 at the border of a panel,
+/// and everywhere where there is none.
+std::vector<std::uint32_t> ringsOf(const Patch& patch, const CancelToken& cancel) {
+  std::vector<std::array<std::uint32_t, 2>> sides;
+  sides.reserve(3 * patch.triangles.size());
+  for (const Corners& corners : patch.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [p, q] = std::minmax(corners[k], corners[(k + 1) % 3]);
+      sides.push_back({p, q});
+    }
+  }
+  cancel.check();
+  std::sort(sides.begin(), sides.end());
+  cancel.check();
+  std::vector<std::uint32_t> rings(patch.primitive->positions.size(), surface::NONE), ring;
+  for (std::size_t i = 0, next = 0; i < sides.size(); i = next) {
+    while (next < sides.size() && sides[next] == sides[i]) ++next;
+    if (next - i != 1) continue;
+    for (const std::uint32_t p : sides[i]) {
+      if (rings[p] != 0) rings[p] = 0, ring.push_back(p);
+    }
+  }
+  sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
+  std::vector<std::uint32_t> first(rings.size() + 1), beside(2 * sides.size());
+  for (const auto& side : sides) ++first[side[0] + 1], ++first[side[1] + 1];
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<std::uint32_t> at(first.begin(), first.end() - 1);
+  for (const auto& [p, q] : sides) beside[at[p]++] = q, beside[at[q]++] = p;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    if (i % FACES_PER_TEXEL_CHECK == 0) cancel.check();
+    const std::uint32_t p = ring[i];
+    for (std::uint32_t k = first[p]; k < first[p + 1]; ++k) {
+      if (rings[beside[k]] == surface::NONE) rings[beside[k]] = rings[p] + 1, ring.push_back(beside[k]);
+    }
+  }
+  std::replace(rings.begin(), rings.end(), surface::NONE, 0u);
+  return rings;
+}
+
+/// The triangles that wear a material, by primitive, each once: another place has the same texture.
+std::vector<Patch> patchesOf(const Scene& scene, const surface::Surface& surface, const Worn& worn,
+                             const CancelToken& cancel) {
+  std::map<const Primitive*, std::uint32_t> placed;  // the first source of each
+  std::vector<Patch> out;
+  for (std::size_t f = 0; f < surface.faces.size(); ++f) {
+    if (f % FACES_PER_TEXEL_CHECK == 0) cancel.check();
+    const surface::Face& face = surface.faces[f];
+    if (surface.sources[face.source].material != worn.material) continue;
+    const Primitive& primitive = primitiveOf(scene, surface.sources[face.source]);
+    const auto [source, isNew] = placed.try_emplace(&primitive, face.source);
+    if (source->second != face.source) continue;
+    // Faces of a source follow one another.
+    if (isNew) out.push_back({&primitive, {}, {}});
+    out.back().triangles.push_back(cornersOf(primitive, face));
+    out.back().areas.push_back(areaOf(surface, face));
+  }
+  return out;
+}
 
 }  // namespace
 
@@ -151,44 +181,28 @@ std::optional<glm::dvec3> meanWornColor(const Scene& scene, const surface::Surfa
 
 std::array<glm::dvec2, 2> wornPlace(const Scene& scene, const surface::Surface& surface, const Worn& worn,
                                     std::size_t set, const CancelToken& cancel) {
-  std::map<const Primitive*, std::uint32_t>
-      placed;  // the first source of each primitive: another place has the same texture
-  std::map<const Primitive*, Rings> rings;
-  const auto each = [&](const auto& visit) {
-    for (std::size_t f = 0; f < surface.faces.size(); ++f) {
-      if (f % FACES_PER_TEXEL_CHECK == 0) cancel.check();
-      const surface::Face& face = surface.faces[f];
-      if (surface.sources[face.source].material != worn.material) continue;
-      const Primitive& primitive = primitiveOf(scene, surface.sources[face.source]);
-      if (placed.try_emplace(&primitive, face.source).first->second == face.source)
-        visit(face, primitive, cornersOf(primitive, face));
-    }
-  };
   std::array<glm::dvec2, 2> out{glm::dvec2(0.5), glm::dvec2(0.5)};
-  bool isWorn = false;
-  each([&](const surface::Face&, const Primitive& primitive, const Corners& corners) {
-    isWorn |= !primitive.uvs[set].empty() && holds(primitive.uvs[set], corners, out[set]);
-    rings[&primitive].add(corners);
-  });
-  if (isWorn) return out;
-  std::map<const Primitive*, std::map<std::uint32_t, std::uint32_t>> counts;
-  for (const auto& [primitive, of] : rings) counts[primitive] = of.count();
+  const std::vector<Patch> patches = patchesOf(scene, surface, worn, cancel);
+  for (const Patch& patch : patches) {
+    const auto& uvs = patch.primitive->uvs[set];
+    const auto isMiddle = [&](const Corners& corners) { return holds(uvs, corners, out[set]); };
+    if (!uvs.empty() && std::any_of(patch.triangles.begin(), patch.triangles.end(), isMiddle)) return out;
+  }
   std::pair<std::uint32_t, double> most{0, -1};
-  each([&](const surface::Face& face, const Primitive& primitive, const Corners& corners) {
-    const auto& known = counts.at(&primitive);
-    std::pair<std::uint32_t, double> here{0, areaOf(surface, face)};
-    for (const std::uint32_t p : corners) {
-      const auto found = known.find(p);
-      if (found != known.end()) here.first += found->second;
+  for (const Patch& patch : patches) {
+    const std::vector<std::uint32_t> rings = ringsOf(patch, cancel);
+    for (std::size_t t = 0; t < patch.triangles.size(); ++t) {
+      const Corners& corners = patch.triangles[t];
+      const std::pair here(rings[corners[0]] + rings[corners[1]] + rings[corners[2]], patch.areas[t]);
+      if (here <= most) continue;
+      most = here;
+      for (std::size_t i = 0; i < out.size(); ++i) {
+        if (patch.primitive->uvs[i].empty()) continue;
+        const glm::dvec2 middle(mixed(patch.primitive->uvs[i], corners, glm::dvec3(1.0 / 3)));
+        if (std::isfinite(middle.x + middle.y)) out[i] = middle;
+      }
     }
-    if (here <= most) return;
-    for (std::size_t i = 0; i < out.size(); ++i) {
-      if (primitive.uvs[i].empty()) continue;
-      const glm::dvec2 middle(mixed(primitive.uvs[i], corners, glm::dvec3(1.0 / 3)));
-      if (std::isfinite(middle.x + middle.y)) out[i] = middle;
-    }
-    most = here;
-  });
+  }
   return out;
 }
 

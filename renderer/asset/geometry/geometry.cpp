@@ -212,7 +212,8 @@ double stepOf(int componentType, bool normalized) {
   }
 }
 
-/// GLTFLoader's bounds: those that the accessor declares, whatever it holds; where it declares none, of all vertices.
+/// GLTFLoader's bounds: those that the accessor declares, whatever it holds, as far as they are numbers of a model; where it
+/// declares none, of all vertices.
 Bounds declaredBounds(const tinygltf::Accessor& info, const std::vector<glm::vec3>& positions) {
   constexpr double MOST = 1e18;  // of a coordinate: sums and products of such stay finite
   Bounds out;

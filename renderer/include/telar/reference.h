@@ -17,7 +17,8 @@ Frame drawReference(const Scene& scene, const Shot& shot, std::span<const std::b
                     const RendererOptions& options, const CancelToken& cancel, const Progress& progress,
                     FrameInfo& info);
 
-/// Whether the path tracer shows all that the raster does: no points or lines, no glass, no texture in blocks that only a GPU reads.
+/// Whether the path tracer shows all that the raster does: no points or lines, no glass, no texture in blocks that only a GPU
+/// reads; and as the raster does: no ghosts, which cast no shadow there.
 bool isTraceable(const Scene& scene, const Shot& shot);
 
 /// A shot of quality "high" as one of the path tracer, where that costs less than the raster's passes and shows the

@@ -142,6 +142,12 @@ inline glm::dvec3 towardsLight(const ModelLight& light, const glm::dmat4& world)
   return glm::dvec3(world[light.isCopied ? 3 : 2]);
 }
 
+/// Whether it gives light anywhere, where its node is.
+inline bool shines(const ModelLight& light, const glm::dmat4& world) {
+  const bool isDark = glm::vec3(glm::dvec3(light.color) * static_cast<double>(light.intensity)) == glm::vec3(0);
+  return !isDark && (light.type == LightType::kPoint || towardsLight(light, world) != glm::dvec3(0));
+}
+
 struct ModelCamera {
   std::string name;
   bool perspective = true;

@@ -21,7 +21,8 @@ struct Swatch {
 /// triangles. Occlusion maps, light and cameras of the file are left out. The request, which js/api/swatch.mjs writes:
 /// {variant: string, part: {kind, which}, size: metres, draped: boolean}; of a node, the material that covers most of
 /// it. Draped, the square hangs from its upper edge in folds that grow downwards; its rows keep their length.
-/// Its middle is that of the texture; where nothing wears that, as of an atlas, a place far from the borders of its panel.
+/// Its middle is that of the texture. Where it shows less than a tile, and nothing wears the middle, as of an atlas, it is a place far
+/// from the borders of a panel.
 /// @param model  as loaded, or a pose of it; its images are shared
 /// @throws Error{E_MEASURE (no such part, or it draws no triangles), L_TRIANGLES, X_CANCELLED, X_MEMORY}
 Swatch swatchOf(const std::shared_ptr<const Scene>& model, std::string_view request, const CancelToken& cancel);

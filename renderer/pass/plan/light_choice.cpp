@@ -75,7 +75,7 @@ double strengthOf(const Middle& middle, const Light& light) {
 }
 
 double strengthOf(const Middle& middle, const ModelLight& light, const glm::dmat4& world) {
-  const double power = luminance(glm::dvec3(light.color)) * light.intensity;
+  const double power = shines(light, world) ? luminance(glm::dvec3(light.color)) * light.intensity : 0;
   Punctual at{glm::dvec3(world[3]), towardsLight(light, world), light.range};
   if (light.type == LightType::kDirectional) return power;
   if (light.type == LightType::kSpot) at.outer = light.outerConeAngle, at.inner = light.innerConeAngle;
@@ -142,9 +142,9 @@ LightChoice::LightChoice(const Scene& scene, const Shot& shot, const frame::Came
     if (!ofNodes[i]) continue;
     const Node& node = scene.nodes[i];
     const ModelLight& light = scene.lights[static_cast<std::size_t>(node.light)];
-    litByNodes[i] = shines(light.color, light.intensity) &&
-                    (light.type == LightType::kDirectional ||
-                     frame::reaches(scene, shot, camera, glm::dvec3(node.world[3]), light.range));
+    litByNodes[i] =
+        shines(light, node.world) && (light.type == LightType::kDirectional ||
+                                      frame::reaches(scene, shot, camera, glm::dvec3(node.world[3]), light.range));
   }
 }
 

@@ -97,7 +97,6 @@ void addModelLight(LightSet& set, const frame::Camera& camera, const ModelLight&
   const glm::vec3 color = bounded(glm::dvec3(light.color) * static_cast<double>(light.intensity));
   const glm::dvec3 position(world[3]);
   const glm::dvec3 toLight = towardsLight(light, world);
-  if (light.type != LightType::kPoint && toLight == glm::dvec3(0)) return;
   switch (light.type) {
     case LightType::kDirectional:
       addDirectional(set, camera, color, toLight);

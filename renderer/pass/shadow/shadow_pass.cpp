@@ -176,7 +176,7 @@ void ShadowPass::drawView(const ShadowMap& map, std::size_t face, const FramePla
       const Material& material = *item.material;
       const bool everyHole = letsLightThrough(item, plan, scene);
       const bool cut = everyHole && material.alphaMode == AlphaMode::kMask;
-      if (cut && textureCutoff(material) > 1) continue;  // it is nowhere
+      if (cut && textureCutoff(material) > 1) continue;  // all of it is cut out
       const bool mapped = isMasked(material) || (everyHole && material.baseColorTexture);
       Caster& used = caster({mapped, everyHole, mapped && material.baseColorTexture.texCoord == 1, item.key.instancing,
                              map.packed && !distance, distance, map.packed ? three.shadowPacking : 0,

@@ -77,26 +77,29 @@ Surface sewn(const std::vector<Primitive>& parts) {
 
 TEST(Section, OfALinedBodyIsShellAndLiningHoweverTheyAreListed) {
   const Primitive shellFront = half(1, true, 0), shellBack = half(1, false, 0);
-  const auto widest = [](const Surface& surface) {
-    std::vector<double> lengths;
-    for (const Loop& loop : sectionOf(surface, {0, 0.1, 1}, {0, 1, 0}, {})) {
-      EXPECT_TRUE(loop.closed);
-      lengths.push_back(loop.length());
-    }
-    std::sort(lengths.begin(), lengths.end());
-    return lengths;
-  };
-  const auto shell = widest(sewn({shellFront, shellBack}));
-  ASSERT_EQ(shell.size(), 1u);
-  for (const int lined : {0, 1}) {  // one material, or the lining's own
-    const Primitive liningFront = half(0.9, true, lined), liningBack = half(0.9, false, lined);
-    const auto lining = widest(sewn({liningFront, liningBack}));
-    for (const auto& parts : {std::vector{shellFront, liningFront, shellBack, liningBack},
-                              std::vector{liningBack, shellFront, shellBack, liningFront}}) {
-      const auto both = widest(sewn(parts));
-      ASSERT_EQ(both.size(), 2u);
-      EXPECT_NEAR(both[0], lining[0], 1e-9);
-      EXPECT_NEAR(both[1], shell[0], 1e-9);
+  for (const double height : {0.1, 0.0}) {  // the latter through a row of corners
+    const auto lengthsOf = [height](const Surface& surface) {
+      std::vector<double> lengths;
+      for (const Loop& loop : sectionOf(surface, {0, height, 1}, {0, 1, 0}, {})) {
+        EXPECT_TRUE(loop.closed);
+        lengths.push_back(loop.length());
+      }
+      std::sort(lengths.begin(), lengths.end());
+      return lengths;
+    };
+    const auto shell = lengthsOf(sewn({shellFront, shellBack}));
+    ASSERT_EQ(shell.size(), 1u);
+    for (const int lined : {0, 1}) {  // one material, or the lining's own
+      const Primitive liningFront = half(0.9, true, lined), liningBack = half(0.9, false, lined);
+      const auto lining = lengthsOf(sewn({liningFront, liningBack}));
+      for (const auto& parts : {std::vector{shellFront, liningFront, shellBack, liningBack},
+                                std::vector{shellBack, liningBack, shellFront, liningFront},
+                                std::vector{liningBack, shellFront, shellBack, liningFront}}) {
+        const auto both = lengthsOf(sewn(parts));
+        ASSERT_EQ(both.size(), 2u) << height << ", " << lined;
+        EXPECT_NEAR(both[0], lining[0], 1e-9);
+        EXPECT_NEAR(both[1], shell[0], 1e-9);
+      }
     }
   }
 }
@@ -112,11 +115,13 @@ TEST(Section, GoesOnUnderAPocketThatIsSewnOn) {
         .primitives[0];
   };
   const Primitive body = tubeOf(0, 1, 1, 48), pocket = tubeOf(0.25, 0.5, 1.05, 12);
-  const auto loops = sectionOf(sewn({pocket, body}), {1, 0.1, 0}, {0, 1, 0}, {});
-  ASSERT_EQ(loops.size(), 2u);
-  const Loop& around = loops[0].closed ? loops[0] : loops[1];
-  EXPECT_TRUE(around.closed);
-  EXPECT_NEAR(around.length(), 96 * std::sin(PI / 48), 1e-6);
+  for (const double height : {0.1, 0.0}) {
+    const auto loops = sectionOf(sewn({pocket, body}), {1, height, 0}, {0, 1, 0}, {});
+    ASSERT_EQ(loops.size(), 2u) << height;
+    const Loop& around = loops[0].closed ? loops[0] : loops[1];
+    EXPECT_TRUE(around.closed);
+    EXPECT_NEAR(around.length(), 96 * std::sin(PI / 48), 1e-6) << height;
+  }
 }
 
 TEST(Section, OfASurfaceThatIsThereTwiceIsTheOneLoop) {
