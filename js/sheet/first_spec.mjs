@@ -14,16 +14,19 @@ function withoutVariant(name, variants) {
   return found ? name.slice(0, -found.length).replace(/[\s_.-]+$/, '') : name;
 }
 
-/** Points this near to the farthest are as far: a millimetre. */
-const AS_FAR = 1e-3;
+/** Part of the extent by which a point may lie nearer than the farthest. */
+const AS_FAR = 0.02;
+/** What a pair that is shorter counts against one that leans as much. */
+const SHORT = 4;
 
-/** Of the points that lie farthest out along an axis, the nearest two: a pair that is level or upright where there is one. */
+/** Of the points that lie farthest out along an axis, two that are level or upright from the front. @param {0 | 1} axis */
 function farthestPair(points, axis) {
   const along = points.map((point) => point[axis]);
   const [low, high] = [Math.min(...along), Math.max(...along)];
-  const ends = [low, high].map((end) => points.filter((point) => Math.abs(point[axis] - end) <= AS_FAR));
+  const ends = [low, high].map((end) => points.filter((point) => Math.abs(point[axis] - end) <= AS_FAR * (high - low)));
   const pairs = ends[0].flatMap((from) => ends[1].map((to) => [from, to]));
-  return pairs.reduce((best, pair) => (distance(pair[0], pair[1]) < distance(best[0], best[1]) ? pair : best));
+  const costOf = ([from, to]) => Math.abs(from[1 - axis] - to[1 - axis]) + SHORT * (high - low - (to[axis] - from[axis]));
+  return pairs.reduce((best, pair) => (costOf(pair) < costOf(best) ? pair : best));
 }
 
 /** Overall width and length as points of measure: between the points of the model that lie farthest out. */

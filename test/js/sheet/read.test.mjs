@@ -206,3 +206,20 @@ test('a first spec holds what the model tells', () => {
   );
   assert.equal(firstSpec(facts, { language: 'es' }).measures[0].description, 'Ancho total');
 });
+
+test('the overall length of a first spec is upright, though the hem is lowest at a side', () => {
+  const outline = [
+    [-0.11, 0, 0],
+    [0.01, 0.003, 0],
+    [0.11, 0.006, 0],
+    [0, 0.73, 0],
+    [-0.35, 0.49, 0],
+    [0.35, 0.5, 0],
+  ];
+  const { anchors, measures } = firstSpec({ bounds: { min: [-0.35, 0, 0], max: [0.35, 0.73, 0] }, outline });
+  assert.deepEqual([anchors.bottom, anchors.top], [outline[1], outline[3]]);
+  assert.deepEqual(
+    measures.map(({ values }) => values.M),
+    [70, 72.7],
+  );
+});
