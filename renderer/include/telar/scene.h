@@ -12,6 +12,7 @@
 
 #include "telar/fabric.h"
 #include "telar/image.h"
+#include "telar/luminance.h"
 #include "telar/motion.h"
 #include "telar/pending_images.h"
 #include "telar/shading.h"
@@ -144,8 +145,8 @@ inline glm::dvec3 towardsLight(const ModelLight& light, const glm::dmat4& world)
 
 /// Whether it gives light anywhere, where its node is.
 inline bool shines(const ModelLight& light, const glm::dmat4& world) {
-  const bool isDark = glm::vec3(glm::dvec3(light.color) * static_cast<double>(light.intensity)) == glm::vec3(0);
-  return !isDark && (light.type == LightType::kPoint || towardsLight(light, world) != glm::dvec3(0));
+  return shines(light.color, light.intensity) &&
+         (light.type == LightType::kPoint || towardsLight(light, world) != glm::dvec3(0));
 }
 
 struct ModelCamera {
