@@ -109,6 +109,11 @@ export class Layout {
     return CAPTION_GAP + Math.max(...sizes.map(([, height]) => height)) + CAPTION_END;
   }
 
+  /** The name of a view beneath it, with its scale. @param {{x: number, y: number, width: number}} at */
+  caption(view, ratio, at) {
+    return { ...at, title: this.titleOf(view), note: this.scaleNote(ratio), text: '', centred: true };
+  }
+
   scaleNote(ratio) {
     return `${this.words('scale')} ${scaleText(ratio)}`;
   }
