@@ -244,7 +244,7 @@ void GeometryReader::measure(const Source& source, Primitive& out) const {
   out.fileBounds = declaredBounds(info, out.positions);
   if (info.componentType != COMPONENT_F32 || (info.minValues.empty() && info.maxValues.empty())) return;
   bool right = info.minValues.size() == 3 && info.maxValues.size() == 3;
-  const double slack = 1e-3 * glm::length(out.bounds.max - out.bounds.min);
+  const double slack = 1e-3 * out.bounds.diagonal();
   for (int i = 0; right && i < 3; ++i) {
     const double low = info.minValues[static_cast<std::size_t>(i)], high = info.maxValues[static_cast<std::size_t>(i)];
     right = low <= out.bounds.min[i] + slack && high >= out.bounds.max[i] - slack;

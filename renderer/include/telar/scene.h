@@ -70,7 +70,8 @@ struct Bounds {
   glm::dvec3 max{-std::numeric_limits<double>::infinity()};
   bool empty() const { return !(min.x <= max.x && min.y <= max.y && min.z <= max.z); }
   void add(const glm::dvec3& p) { min = glm::min(min, p), max = glm::max(max, p); }
-  glm::dvec3 middle() const { return (min + max) * 0.5; }  ///< @pre not empty
+  glm::dvec3 middle() const { return (min + max) * 0.5; }     ///< @pre not empty
+  double diagonal() const { return glm::length(max - min); }  ///< metres; infinite where it is empty
   std::array<glm::dvec3, 8> corners() const {
     std::array<glm::dvec3, 8> out;
     for (std::size_t i = 0; i < out.size(); ++i)

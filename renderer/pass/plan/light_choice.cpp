@@ -21,7 +21,7 @@ struct Middle {
   explicit Middle(const Bounds& bounds) {
     if (bounds.empty()) return;
     point = bounds.middle();
-    radius = glm::length(bounds.max - bounds.min) * 0.5;
+    radius = bounds.diagonal() * 0.5;
   }
   /// To a light, which may be inside.
   double distance(const glm::dvec3& light) const { return std::max(glm::length(light - point), radius); }

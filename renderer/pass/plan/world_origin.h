@@ -13,7 +13,7 @@ constexpr double FAR_OUT = 1000;
 inline bool isFarFrom(const Bounds& bounds, const glm::dvec3& point) {
   if (bounds.empty()) return false;
   const glm::dvec3 away = glm::abs(point - bounds.middle());
-  return glm::max(away.x, glm::max(away.y, away.z)) > FAR_OUT * glm::length(bounds.max - bounds.min);
+  return glm::max(away.x, glm::max(away.y, away.z)) > FAR_OUT * bounds.diagonal();
 }
 
 /// The origin of the world coordinates in shaders: the centre of a model that is far out, else the world's origin as in
