@@ -27,14 +27,6 @@
 namespace telar::addon {
 namespace {
 
-/// {scene, facts: string}
-Napi::Value sceneToJs(Napi::Env env, const std::shared_ptr<const Scene>& scene, const std::string& facts) {
-  Napi::Object result = Napi::Object::New(env);
-  result["scene"] = SceneHandle::make(env, scene);
-  result["facts"] = facts;
-  return result;
-}
-
 /// load(path: string | Bytes, limits, {tolerant?: boolean, decodesLater?: boolean, parts?: Parts}, token)
 ///   -> Promise<{scene, facts: string}>
 Napi::Value load(const Napi::CallbackInfo& info) {
@@ -193,7 +185,7 @@ Napi::Value swatch(const Napi::CallbackInfo& info) {
     Swatch square = swatchOf(scene, request, job->cancel);
     std::string facts = describeScene(*square.scene, job->cancel);
     job->value = [square = std::move(square), facts = std::move(facts)](Napi::Env env) {
-      Napi::Object made = sceneToJs(env, square.scene, facts).As<Napi::Object>();
+      Napi::Object made = sceneToJs(env, square.scene, facts);
       if (square.meanBaseColor) {
         auto color = Napi::Array::New(env, 3);
         for (std::uint32_t c = 0; c < 3; ++c)

@@ -112,6 +112,13 @@ Napi::Object SceneHandle::make(Napi::Env env, std::shared_ptr<const Scene> scene
   return construct(State::of(env).sceneClass, std::move(scene));
 }
 
+Napi::Object sceneToJs(Napi::Env env, const std::shared_ptr<const Scene>& scene, const std::string& facts) {
+  Napi::Object result = Napi::Object::New(env);
+  result["scene"] = SceneHandle::make(env, scene);
+  result["facts"] = facts;
+  return result;
+}
+
 SceneHandle::SceneHandle(const Napi::CallbackInfo& info)
     : ObjectWrap(info), scene_(take<std::shared_ptr<const Scene>>(info)), accounted_(sceneBytes(*scene_)) {
   info.This().As<Napi::Object>().TypeTag(&TAG);

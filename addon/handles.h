@@ -74,6 +74,9 @@ class SceneHandle : public Napi::ObjectWrap<SceneHandle> {
   std::int64_t accounted_ = 0;
 };
 
+/// {scene, facts: string}
+Napi::Object sceneToJs(Napi::Env env, const std::shared_ptr<const Scene>& scene, const std::string& facts);
+
 /// A renderer on its thread. Collected without close(), it still ends its thread.
 class RendererHandle : public Napi::ObjectWrap<RendererHandle> {
  public:

@@ -84,12 +84,7 @@ Napi::Value withVisibility(const Napi::CallbackInfo& info) {
         auto scene = withAmbientVisibility(model, rays, cache, limits, job->cancel);
         model.reset();
         std::string facts = describeScene(*scene, job->cancel);
-        job->value = [scene, facts = std::move(facts)](Napi::Env env) {
-          Napi::Object result = Napi::Object::New(env);
-          result["scene"] = SceneHandle::make(env, scene);
-          result["facts"] = facts;
-          return result;
-        };
+        job->value = [scene, facts = std::move(facts)](Napi::Env env) { return sceneToJs(env, scene, facts); };
       });
 }
 

@@ -8,5 +8,5 @@ export { LIGHTS, lightsOf } from './lights.mjs';
 export { FABRICS, fabricTargets, modelTargets, numbered } from './targets.mjs';
 export { inWords } from './words.mjs';
 export { swapsBetween } from './swaps.mjs';
-export { bestSwaps, closestRelease, isRelease, rankedSwaps } from './releases.mjs';
+export { bestSwaps, closestRelease, rankedSwaps } from './releases.mjs';
 export { dataUrls, picturesOf } from './pictures.mjs';

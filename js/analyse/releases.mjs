@@ -1,4 +1,4 @@
-import { families, familyOf, resolveThree, REVISION, termsOfRevision, THREE_SLOTS } from '../shot/three_terms.mjs';
+import { families, familyOf, releaseOf, resolveThree, termsOfRevision, THREE_SLOTS } from '../shot/three_terms.mjs';
 import { TONE_MAPPINGS } from '../shot/table/tone_mappings.mjs';
 
 /**
@@ -11,11 +11,6 @@ import { TONE_MAPPINGS } from '../shot/table/tone_mappings.mjs';
 
 /** A picture fits another release better where that leaves at most this part of the difference. */
 const REST = 0.5;
-
-/** Whether a shading is stock three.js, of whatever release. */
-export const isRelease = (shading) => shading === 'three' || shading?.base === 'three';
-
-const revisionOf = (shading) => shading.revision ?? REVISION;
 
 /** A term that leaves no more than this part of the difference is the one: no other needs to be drawn. */
 const FOUND = 0.02;
@@ -37,7 +32,7 @@ function rangeAround(fits, best) {
  * @returns {Promise<{named: Fit, best: Fit, isBetter: boolean, drawn: number}>} `best` takes in neighbours that draw the same.
  */
 export async function closestRelease(shading, { toneMapping, distanceOf }) {
-  const named = { ...familyOf(revisionOf(shading)), distance: await distanceOf(shading) };
+  const named = { ...familyOf(releaseOf(shading)), distance: await distanceOf(shading) };
   const drawable = families().filter(({ to }) => !(to < TONE_MAPPINGS[toneMapping].since));
   const fits = [];
   for (const family of drawable) {
@@ -67,11 +62,11 @@ export async function rankedSwaps(shading, distanceOf) {
 
 /** Each other term of each slot, put into a shading alone. */
 function swapsOf(shading) {
-  const own = { ...termsOfRevision(revisionOf(shading)), ...(typeof shading === 'string' ? {} : shading) };
+  const own = { ...termsOfRevision(releaseOf(shading)), ...(typeof shading === 'string' ? {} : shading) };
   return Object.entries(THREE_SLOTS).flatMap(([slot, terms]) =>
     Object.keys(terms)
       .filter((to) => to !== own[slot])
-      .map((to) => ({ slot, from: own[slot], to, shading: resolveThree({ ...own, base: 'three', revision: revisionOf(shading), [slot]: to }) })),
+      .map((to) => ({ slot, from: own[slot], to, shading: resolveThree({ ...own, base: 'three', revision: releaseOf(shading), [slot]: to }) })),
   );
 }
 

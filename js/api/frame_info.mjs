@@ -1,9 +1,8 @@
-import { familyOf, REVISION, revisionRemark } from '../shot/three_terms.mjs';
+import { familyOf, isRelease, releaseOf, revisionRemark } from '../shot/three_terms.mjs';
 
 /** Extension that stock three.js does not have: only "fabric" and one diffuse term of the principled shadings draw it. */
 const NOT_IN_THREE = 'KHR_materials_diffuse_transmission';
 const THIN = 'disney-2015-thin';
-const isOfRelease = (shading) => shading === 'three' || shading.base === 'three';
 const drawsThinCloth = (shading) => shading === 'fabric' || shading.diffuse === THIN;
 
 /**
@@ -17,7 +16,7 @@ export function shotWarnings({ lens, quality, shading }, extensionsUsed = []) {
   if (lens?.focusDistance != null && quality.preset !== 'reference') {
     warnings.push({ code: 'W_LENS', message: 'shot.lens.focusDistance: the raster shows everything sharp; quality "reference" blurs what is out of focus' });
   }
-  const remark = isOfRelease(shading) && revisionRemark(shading.revision ?? REVISION);
+  const remark = isRelease(shading) && revisionRemark(releaseOf(shading));
   if (remark) warnings.push({ code: 'W_THREE_REVISION', pointer: '/shading/revision', message: `shot.shading.revision: ${remark}` });
   if (!drawsThinCloth(shading) && extensionsUsed.includes(NOT_IN_THREE)) {
     warnings.push({
@@ -54,9 +53,9 @@ export function pictureWarnings(picture) {
 }
 
 /** The release of three.js that a shading is of, and those that draw as it does; undefined where it is of none. */
-function releaseOf(shading) {
-  if (!isOfRelease(shading)) return undefined;
-  const { revision = REVISION } = shading;
+function familyOfShading(shading) {
+  if (!isRelease(shading)) return undefined;
+  const revision = releaseOf(shading);
   return { revision, family: familyOf(revision) };
 }
 
@@ -89,7 +88,7 @@ export function frameInfo({ frame, resolved, milliseconds, renderer, key, warnin
     backend: drawn.backend ?? renderer.backend,
     gl: drawn.backend === 'reference' ? {} : renderer.gl,
     quality: resolved.quality,
-    three: releaseOf(resolved.shading),
+    three: familyOfShading(resolved.shading),
     milliseconds: { load, pose, resolve, queue: frame.queueMs, ...ms, encode: frame.encodeMs, total },
     warnings: [...warnings, ...(drawn.warnings ?? []), ...pictureWarnings(drawn.picture)],
     // Largest resident memory of this process so far, the GL driver's included where it draws in software.

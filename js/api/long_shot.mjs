@@ -12,3 +12,6 @@ export async function isLongShot(shot) {
     return false; // a wrong shot is not drawn
   }
 }
+
+/** Whether one of several does. @param {object[]} shots not resolved @returns {Promise<boolean>} */
+export const hasLongShot = async (shots) => (await Promise.all(shots.map(isLongShot))).includes(true);

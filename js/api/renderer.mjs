@@ -4,7 +4,7 @@ import { refuseWarnings } from './fail_on.mjs';
 import { Gate } from './gate.mjs';
 import { frameInfo, shotWarnings } from './frame_info.mjs';
 import { LastUse } from './last_use.mjs';
-import { isLongShot } from './long_shot.mjs';
+import { hasLongShot, isLongShot } from './long_shot.mjs';
 import { nativeCall } from './native_call.mjs';
 import { identityOf, keyOfDrawn } from './picture_key.mjs';
 import { drawAllOptions, growingOptions, loadOptions, rendererOptions, STRICT, wrongOption } from './options.mjs';
@@ -178,7 +178,7 @@ class Renderer {
     const begin = () => this.#begin(signal, loading);
     const shots = requests.filter(({ failure }) => !failure).map(({ shot }) => shot);
     // Of what several need each may take what the longest of them may.
-    const isLong = (await Promise.all(shots.map(isLongShot))).includes(true);
+    const isLong = await hasLongShot(shots);
     const beginShared = () => {
       const work = begin();
       if (isLong) work.allowLong();

@@ -17,36 +17,20 @@ import {
 import { TelarError } from '../error/index.mjs';
 import { ANY_MODEL } from '../shot/facts.mjs';
 import { resolveShot } from '../shot/index.mjs';
-import { BASES, resolveTerms, SLOTS } from '../shot/shading_terms.mjs';
+import { BASES, resolveTerms, shadingName, SLOTS, termsBeside } from '../shot/shading_terms.mjs';
 import { TONE_MAPPINGS } from '../shot/table/tone_mappings.mjs';
 import { removeUnfinished, writeFileAtomically } from '../api/atomic_file.mjs';
 import { readLimits, readTimeout } from './limits.mjs';
+import { namesOf } from './name_list.mjs';
 import { parseShading, parseSize, parseValue } from './shot_options.mjs';
 
 /** Lights of an analysis unless others are named: one from all around, one lamp. */
 const DEFAULT_LIGHTS = ['studio', 'sun'];
 
-const listOf = (text) =>
-  text
-    .split(',')
-    .map((name) => name.trim())
-    .filter(Boolean);
-
-/** "a,b" as a list that is not empty. */
-function namesOf(option, text, fallback) {
-  if (text === undefined) return fallback;
-  const names = [...new Set(listOf(text))];
-  if (names.length === 0) throw new TelarError('E_USAGE', `--${option}: expected names with commas between`);
-  return names;
-}
-
 /** A shading in words: "three-r115 (sheen: zeltner)", "three@180". */
 function nameOf(shading) {
-  if (typeof shading === 'string') return shading;
-  const { base, revision, ...swapped } = shading;
-  const name = revision === undefined ? base : `${base}@${revision}`;
-  const terms = Object.entries(swapped).map(([slot, term]) => `${slot}: ${term}`);
-  return terms.length > 0 ? `${name} (${terms.join(', ')})` : name;
+  const terms = termsBeside(shading).map(([slot, term]) => `${slot}: ${term}`);
+  return terms.length > 0 ? `${shadingName(shading)} (${terms.join(', ')})` : shadingName(shading);
 }
 
 /** Filmic as neutral is, and in every release. */

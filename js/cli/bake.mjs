@@ -2,9 +2,8 @@ import path from 'node:path';
 import { TelarError } from '../error/index.mjs';
 import { shown } from '../shot/complain.mjs';
 import { removeUnfinished, writeFileAtomically } from '../api/atomic_file.mjs';
-import { maxFileBytes, readLimits, readTimeout } from './limits.mjs';
-import { checkModel } from './models.mjs';
-import { readAll } from './streams.mjs';
+import { readLimits, readTimeout } from './limits.mjs';
+import { checkModel, readModel } from './models.mjs';
 
 const usage = (message) => new TelarError('E_USAGE', message);
 
@@ -22,7 +21,7 @@ export async function bake(given, options, { api, console, stdin, signal }) {
   if (rays !== undefined && !/^\d{1,9}$/.test(rays)) throw usage(`--rays: expected a whole number, got ${shown(rays)}`);
   const { model } = await checkModel(given);
   const limits = readLimits(options.limit);
-  const source = model === '-' ? await readAll(stdin, maxFileBytes(limits), signal) : model;
+  const source = await readModel(model, limits, { stdin, signal });
   const { data, info } = await api.bake(source, {
     ...(rays !== undefined && { rays: Number(rays) }),
     limits,

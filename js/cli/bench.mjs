@@ -26,24 +26,11 @@ import {
 import { removeUnfinished, writeFileAtomically } from '../api/atomic_file.mjs';
 import { readLimits } from './limits.mjs';
 import { checkModel } from './models.mjs';
+import { namesOf } from './name_list.mjs';
 import { parseShading } from './shot_options.mjs';
 import { TradeStore } from './trade_store.mjs';
 
 const usage = (message) => new TelarError('E_USAGE', message);
-
-function namesOf(option, text, fallback) {
-  if (text === undefined) return fallback;
-  const names = [
-    ...new Set(
-      text
-        .split(',')
-        .map((name) => name.trim())
-        .filter(Boolean),
-    ),
-  ];
-  if (names.length === 0) throw usage(`--${option}: expected names with commas between`);
-  return names;
-}
 
 function wholeOf(option, text, min, max) {
   const value = Number(text);

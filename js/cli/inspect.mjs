@@ -1,9 +1,8 @@
 import { TelarError } from '../error/index.mjs';
 import { shown } from '../shot/complain.mjs';
-import { maxFileBytes, readLimits, readTimeout } from './limits.mjs';
-import { checkModel } from './models.mjs';
+import { readLimits, readTimeout } from './limits.mjs';
+import { checkModel, readModel } from './models.mjs';
 import { readShotOptions } from './shot_options.mjs';
-import { readAll } from './streams.mjs';
 
 /**
  * telar inspect MODEL
@@ -18,7 +17,7 @@ export async function inspect(given, options, context) {
   const { model } = await checkModel(given);
   const shot = await readShotOptions(options, context);
   const limits = readLimits(options.limit);
-  const source = model === '-' ? await readAll(context.stdin, maxFileBytes(limits), context.signal) : model;
+  const source = await readModel(model, limits, context);
   const measure = readMeasures(options.measure);
   const facts = await context.api.inspect(source, {
     shot,

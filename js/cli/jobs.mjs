@@ -1,6 +1,7 @@
 import { TelarError } from '../error/index.mjs';
 import { ANY_MODEL } from '../shot/facts.mjs';
 import { nearest, shown } from '../shot/complain.mjs';
+import { namesIn } from './name_list.mjs';
 import { framingOf } from './shot_options.mjs';
 import { variantNames } from './variants.mjs';
 
@@ -18,12 +19,6 @@ import { variantNames } from './variants.mjs';
 
 const usage = (message) => new TelarError('E_USAGE', message);
 
-const listOf = (text) =>
-  text
-    .split(',')
-    .map((name) => name.trim())
-    .filter(Boolean);
-
 /** "front,back" or "all" as names of views. */
 async function viewsOf({ views, view }) {
   if (views === undefined) return undefined;
@@ -31,7 +26,7 @@ async function viewsOf({ views, view }) {
   const { VIEWS } = await import('../shot/index.mjs');
   const known = Object.keys(VIEWS);
   if (views === 'all') return known;
-  const names = [...new Set(listOf(views))];
+  const names = namesIn(views);
   if (names.length === 0) throw usage('--views: expected names with commas between, or all');
   for (const name of names) {
     if (known.includes(name)) continue;
@@ -46,7 +41,7 @@ function variantsOf({ variants, variant }) {
   if (variants === undefined) return undefined;
   if (variant !== undefined) throw usage('--variants and --variant: give one of them');
   if (variants === 'all') return (own) => own;
-  const names = [...new Set(listOf(variants))];
+  const names = namesIn(variants);
   if (names.length === 0) throw usage('--variants: expected names with commas between, or all');
   return () => names;
 }

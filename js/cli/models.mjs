@@ -3,6 +3,8 @@ import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { TelarError } from '../error/index.mjs';
 import { shown } from '../shot/complain.mjs';
+import { maxFileBytes } from './limits.mjs';
+import { readAll } from './streams.mjs';
 
 /** The models that a command line names: files, folders, standard input. */
 
@@ -65,6 +67,16 @@ export async function checkModel(given) {
   }
   return { model, isFolder: found?.isDirectory() ?? false };
 }
+
+/**
+ * What the API takes of a model: its path, or the bytes of stdin.
+ * @param {string} model of checkModel
+ * @param {object} limits of readLimits
+ * @param {{stdin: AsyncIterable<Buffer>, signal?: AbortSignal}} io
+ * @returns {Promise<string | Buffer>}
+ * @throws {TelarError} L_FILE_BYTES
+ */
+export const readModel = async (model, limits, { stdin, signal }) => (model === '-' ? readAll(stdin, maxFileBytes(limits), signal) : model);
 
 /**
  * @param {string[]} given paths or file: URLs of models and folders, or - for stdin

@@ -1,6 +1,6 @@
-import { bestSwaps, closestRelease, isRelease, rankedSwaps } from '../analyse/index.mjs';
+import { bestSwaps, closestRelease, rankedSwaps } from '../analyse/index.mjs';
 import { meanDifference } from '../compare/hints.mjs';
-import { familyName, familyOf, REVISION } from '../shot/three_terms.mjs';
+import { familyName, familyOf, isRelease, releaseOf } from '../shot/three_terms.mjs';
 
 /** Whether a picture is of another release of three.js than its shot names. */
 
@@ -34,7 +34,7 @@ export async function releaseHints({ expected, shot, draw, explain = false }) {
 }
 
 function releaseHint({ named, best, isBetter }, { shading, cost, explain }) {
-  const asked = familyName(familyOf(shading.revision ?? REVISION));
+  const asked = familyName(familyOf(releaseOf(shading)));
   if (isBetter) {
     const message =
       `the expected picture looks like ${familyName(best)}: mean difference ${text(best.distance)}, where it is ${text(named.distance)} ` +

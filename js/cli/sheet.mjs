@@ -5,8 +5,8 @@ import { shown } from '../shot/complain.mjs';
 import { createSheet, firstSpec } from '../sheet/index.mjs';
 import { checkShared } from '../sheet/shared_shot.mjs';
 import { removeUnfinished, writeFileAtomically } from '../api/atomic_file.mjs';
-import { maxFileBytes, readLimits, readTimeout } from './limits.mjs';
-import { checkModel } from './models.mjs';
+import { readLimits, readTimeout } from './limits.mjs';
+import { checkModel, readModel } from './models.mjs';
 import { readShotOptions } from './shot_options.mjs';
 import { readAll } from './streams.mjs';
 
@@ -36,7 +36,7 @@ export async function sheet(given, options, context) {
   const [givenSpec, previous] = [await readSpecFile('--spec', options.spec, context), await readSpecFile('--previous', options.previous, context)];
   const fonts = await Promise.all((options.font ?? []).map((file) => readBytes('--font', file)));
   const templates = templatesOf(options.template);
-  const source = model === '-' ? await readAll(context.stdin, maxFileBytes(limits), context.signal) : model;
+  const source = await readModel(model, limits, context);
   const renderer = await context.api.createRenderer({ backend: options.backend, limits, failOn: options.failOn, timeoutMs, signal: context.signal });
   try {
     const loaded = await renderer.load(source, { signal: context.signal });

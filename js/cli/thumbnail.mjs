@@ -12,10 +12,9 @@ import { maxFileBytes, readLimits, readTimeout, readWorkers } from './limits.mjs
 import { readManifest } from './manifest.mjs';
 import { refuseParts } from './model_parts.mjs';
 import { checkLayerFiles, layerFiles } from './layer_files.mjs';
-import { findModels } from './models.mjs';
+import { findModels, readModel } from './models.mjs';
 import { outputNames } from './output_names.mjs';
 import { readShotOptions } from './shot_options.mjs';
-import { readAll } from './streams.mjs';
 import { KnownPictures } from './unchanged.mjs';
 
 /**
@@ -116,7 +115,7 @@ async function readEntries(models, options, shot, limits, context) {
   const found = await findModels(models, options);
   return Promise.all(
     found.map(async ({ model, folder }) => {
-      const source = model === '-' ? await readAll(context.stdin, maxFileBytes(limits), context.signal) : model;
+      const source = await readModel(model, limits, context);
       return { model, folder, source, shot };
     }),
   );

@@ -5,10 +5,9 @@ import path from 'node:path';
 import { TelarError } from '../error/index.mjs';
 import { shown } from '../shot/complain.mjs';
 import { writeFileAtomically } from '../api/atomic_file.mjs';
-import { maxFileBytes, readLimits, readTimeout } from './limits.mjs';
-import { checkModel } from './models.mjs';
+import { readLimits, readTimeout } from './limits.mjs';
+import { checkModel, readModel } from './models.mjs';
 import { readShotOptions } from './shot_options.mjs';
-import { readAll } from './streams.mjs';
 
 /**
  * telar view MODEL
@@ -19,12 +18,12 @@ import { readAll } from './streams.mjs';
  * @returns {Promise<number>} 0 after the interrupt
  */
 export async function view(given, options, context) {
-  const { console, signal, api, stdin } = context;
+  const { console, signal, api } = context;
   if (given === '-' && options.shot === '-') throw new TelarError('E_USAGE', '- (stdin) can stand for one file only');
   const { model } = await checkModel(given);
   const shot = await readShotOptions(options, context);
   const limits = readLimits(options.limit);
-  const source = model === '-' ? await readAll(stdin, maxFileBytes(limits), signal) : model;
+  const source = await readModel(model, limits, context);
   const { openView } = await import('../view/index.mjs');
   const renderer = await api.createRenderer({ backend: options.backend, limits, failOn: options.failOn, timeoutMs: readTimeout(options.timeoutMs), signal });
   try {

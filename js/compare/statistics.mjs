@@ -7,6 +7,13 @@
  */
 export const percentile = (sorted, share) => sorted[Math.max(0, Math.ceil(share * sorted.length) - 1)];
 
+/** The lower one of two in the middle. @param {number[]} values not empty */
+export const median = (values) =>
+  percentile(
+    values.toSorted((a, b) => a - b),
+    0.5,
+  );
+
 /**
  * Percentile in which each value counts as much as it is large, so that the many pixels without an error do not hide it.
  * @param {Float32Array} sorted ascending, none negative, not empty

@@ -1,5 +1,3 @@
-import { isLongShot } from '../api/long_shot.mjs';
-
 /**
  * What a caller asked for, checked and with the caller's bytes copied.
  * @typedef {object} Request
@@ -68,12 +66,4 @@ export function messageOf(id, { method, input, recipe, shots, loading, settled, 
     folder: currentFolder(),
   };
   return { job, parts };
-}
-
-/**
- * Whether one of the shots asks for long work, as its worker sees it.
- * @param {Request} request
- */
-export async function hasLongShot({ shots = [] }) {
-  return (await Promise.all(shots.map(({ shot }) => isLongShot(shot)))).includes(true);
 }

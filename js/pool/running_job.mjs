@@ -1,9 +1,10 @@
 import { fromNative, toTelarError } from '../error/index.mjs';
+import { hasLongShot } from '../api/long_shot.mjs';
 import { onAbort } from '../api/on_abort.mjs';
 import { partBytes } from '../api/parts.mjs';
 import { TIMEOUT_MS } from '../api/work.mjs';
 import { modelBytes } from './held_models.mjs';
-import { DRAW_MANY, hasLongShot, messageOf } from './request.mjs';
+import { DRAW_MANY, messageOf } from './request.mjs';
 import { GRACE_MS, overTime } from './verdicts.mjs';
 
 /** The longest that a timer may be set to. */
@@ -111,13 +112,13 @@ export class RunningJob {
     // What was on its way when the caller aborted leaves the clock of #abort as it is.
     if (this.#scope.signal.aborted) return;
     clearTimeout(this.#clock);
-    const { timeoutMs, method, recipe } = this.#request;
+    const { timeoutMs, method, recipe, shots = [] } = this.#request;
     const works = DRAW_MANY.includes(method) && !recipe && !this.#told ? 2 : 1;
     const allowed = timeoutMs === undefined ? TIMEOUT_MS : timeoutMs;
     if (allowed === null) return;
     this.#clock = setTimeout(
       async () => {
-        if (timeoutMs === undefined && (await hasLongShot(this.#request))) return;
+        if (timeoutMs === undefined && (await hasLongShot(shots.map(({ shot }) => shot)))) return;
         if (!this.#scope.signal.aborted) this.#worker.kill(overTime(allowed));
       },
       Math.min(works * allowed + GRACE_MS, LONGEST),

@@ -1,9 +1,6 @@
-/** What part of a picture the hull of a model's farthest points fills: what it covers at most. */
+import { cross, dot, sub, unit } from './vectors.mjs';
 
-const sub = (a, b) => a.map((x, i) => x - b[i]);
-const dot = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0);
-const cross = ([a, b, c], [x, y, z]) => [b * z - c * y, c * x - a * z, a * y - b * x];
-const unit = (v) => v.map((x) => x / Math.hypot(...v));
+/** What part of a picture the hull of a model's farthest points fills: what it covers at most. */
 
 /** Twice the area of a triangle, positive where it turns left. */
 const turn = ([ax, ay], [bx, by], [cx, cy]) => (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);

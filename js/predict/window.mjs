@@ -1,12 +1,10 @@
+import { cross, dot, sub, unit } from './vectors.mjs';
+
 /** A window of a picture: as many pixels as a path tracer can draw without noise in reasonable time, at the scale of the whole. */
 
 /** Part of a window that the model is to cover: its outline counts, and does not drown the surface. */
 const COVERAGE = 0.8;
 
-const sub = (a, b) => a.map((x, i) => x - b[i]);
-const dot = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0);
-const cross = ([a, b, c], [x, y, z]) => [b * z - c * y, c * x - a * z, a * y - b * x];
-const unit = (v) => v.map((x) => x / Math.hypot(...v));
 const along = (origin, ...steps) => steps.reduce((point, [direction, length]) => point.map((x, i) => x + direction[i] * length), origin);
 
 /**

@@ -1,5 +1,5 @@
 import { TelarError } from '../error/index.mjs';
-import { pointerText } from '../shot/complain.mjs';
+import { pathText, pointerText } from '../shot/complain.mjs';
 import { ABOUT } from './read.mjs';
 
 /** Which characters TrueType and OpenType fonts have (OpenType 1.9, "cmap"). */
@@ -140,8 +140,7 @@ export function checkText(text, fonts, { place, pointer }) {
 /** The same of all texts of a spec. @throws {TelarError} E_SPEC with the pointer of the text */
 export function checkCharacters(value, fonts, path = []) {
   if (typeof value === 'string') {
-    const place = `spec${path.map((key) => (typeof key === 'number' ? `[${key}]` : `.${key}`)).join('')}`;
-    checkText(value, fonts, { place, pointer: pointerText(path) });
+    checkText(value, fonts, { place: pathText(path, ABOUT), pointer: pointerText(path) });
     return;
   }
   if (typeof value !== 'object' || value === null) return;

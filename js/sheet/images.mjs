@@ -1,7 +1,7 @@
 import { createHash } from 'node:crypto';
 import { encodePng, readImage } from '../compare/index.mjs';
 import { TelarError } from '../error/index.mjs';
-import { pointerText, shown } from '../shot/complain.mjs';
+import { pathText, pointerText, shown } from '../shot/complain.mjs';
 import { ABOUT } from './read.mjs';
 
 /** Images that a spec names: decoded by the checked decoders of textures, and handed to the layout engine as PNG of ours. */
@@ -28,14 +28,14 @@ export async function readImages(spec, { resolve, limits, signal }) {
     const pointer = pointerText(path);
     const bytes = await resolve?.(name);
     if (!bytes)
-      throw new TelarError(ABOUT.code, `spec.${path.join('.')}: there is no image ${shown(name)}${resolve ? '' : '; give the option resolve'}`, { pointer });
+      throw new TelarError(ABOUT.code, `${pathText(path, ABOUT)}: there is no image ${shown(name)}${resolve ? '' : '; give the option resolve'}`, { pointer });
     try {
       const image = await readImage(bytes, { limits: { L_IMAGE_PIXELS: PIXELS_MAX, ...limits }, signal });
       const data = await encodePng(image, { signal });
       images.set(name, { file: `${createHash('sha256').update(data).digest('hex').slice(0, 16)}.png`, data, width: image.width, height: image.height });
     } catch (cause) {
       if (!(cause instanceof TelarError)) throw cause;
-      throw new TelarError(cause.code, `spec.${path.join('.')}: ${cause.message}`, { ...cause.toJSON(), pointer, cause });
+      throw new TelarError(cause.code, `${pathText(path, ABOUT)}: ${cause.message}`, { ...cause.toJSON(), pointer, cause });
     }
   }
   return images;

@@ -1,6 +1,6 @@
 import { PAPERS } from './table/index.mjs';
 import { basisOf, extentOf, fittingRatio, ratioOf, scaleText } from './scale.mjs';
-import { pointerText, wrongValue } from '../shot/complain.mjs';
+import { pathText, pointerText, wrongValue } from '../shot/complain.mjs';
 import { ABOUT } from './read.mjs';
 import { printedText } from './units.mjs';
 
@@ -63,8 +63,7 @@ export class Layout {
   /** Tells of a length of the spec that is printed as another one. @param {(string | number)[]} path @param {number} length in the spec's units */
   roundedAt(path, length, printed, of = '') {
     const { units, printedUnits } = this.spec;
-    const at = path.map((key, i) => (typeof key === 'number' ? `[${key}]` : `${i > 0 ? '.' : ''}${key}`)).join('');
-    this.warn('W_SHEET_ROUND', `spec.${at}: ${length} ${units}${of} is printed as ${printedText(printed)} ${printedUnits}`, pointerText(path));
+    this.warn('W_SHEET_ROUND', `${pathText(path, ABOUT)}: ${length} ${units}${of} is printed as ${printedText(printed)} ${printedUnits}`, pointerText(path));
   }
 
   #indexOf({ name }) {
@@ -110,6 +109,11 @@ export class Layout {
     return CAPTION_GAP + Math.max(...sizes.map(([, height]) => height)) + CAPTION_END;
   }
 
+  /** The name of a view beneath it, with its scale. @param {{x: number, y: number, width: number}} at */
+  caption(view, ratio, at) {
+    return { ...at, title: this.titleOf(view), note: this.scaleNote(ratio), text: '', centred: true };
+  }
+
   scaleNote(ratio) {
     return `${this.words('scale')} ${scaleText(ratio)}`;
   }
@@ -124,7 +128,7 @@ export class Layout {
   }
 
   isChanged(...path) {
-    return this.changed.has(`/${path.join('/')}`);
+    return this.changed.has(pointerText(path));
   }
 
   /** Widths and heights of texts as the template sets them. @param {{kind: string, text: string, width: number, value?: string}[]} texts */

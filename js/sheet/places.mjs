@@ -1,5 +1,5 @@
 import { TelarError } from '../error/index.mjs';
-import { pointerText } from '../shot/complain.mjs';
+import { pathText, pointerText } from '../shot/complain.mjs';
 import { cornersOfBox, dot } from '../shot/frame.mjs';
 import { ABOUT } from './read.mjs';
 
@@ -51,7 +51,7 @@ export async function pointOf(item, { pointer, extent, variant, renderer, model,
   if (part?.bounds) return visiblePoint(part, { kind, which: item[kind], basis, variant, model, call });
   const names = part?.names?.slice(0, 8).join(', ') || 'none has a name';
   const at = [...pointer, kind];
-  throw new TelarError(ABOUT.code, `spec.${at.join('.')}: the model draws no ${kind} ${JSON.stringify(item[kind])}; it has ${names}`, {
+  throw new TelarError(ABOUT.code, `${pathText(at, ABOUT)}: the model draws no ${kind} ${JSON.stringify(item[kind])}; it has ${names}`, {
     pointer: pointerText(at),
   });
 }

@@ -1,5 +1,5 @@
 import { TelarError } from '../error/index.mjs';
-import { complaint, nearest, pointerText, shown, wrongValue } from '../shot/complain.mjs';
+import { complaint, nearest, pathText, pointerText, shown, wrongValue } from '../shot/complain.mjs';
 import { PLACES } from './lengths.mjs';
 import { ratioOf } from './scale.mjs';
 import { specSchema } from './schema.mjs';
@@ -45,7 +45,7 @@ function checkName(path, name, known, what, told = known) {
   if (name === undefined || known.includes(name)) return;
   const near = nearest(name, told);
   const hint = near ? `did you mean ${shown(near)}?` : told.length > 0 ? `there are ${told.slice(0, 8).map(shown).join(', ')}` : 'there is none';
-  throw new TelarError(ABOUT.code, `spec.${path.join('.').replaceAll(/\.(\d+)/g, '[$1]')}: there is no ${what} ${shown(name)}; ${hint}`, {
+  throw new TelarError(ABOUT.code, `${pathText(path, ABOUT)}: there is no ${what} ${shown(name)}; ${hint}`, {
     pointer: pointerText(path),
   });
 }

@@ -1,5 +1,5 @@
 import { TelarError } from '../error/index.mjs';
-import { pointerText } from '../shot/complain.mjs';
+import { pathText, pointerText } from '../shot/complain.mjs';
 import { ABOUT } from './read.mjs';
 
 /** What each view of a spec shows: the model, or its parts moved apart, without what the view leaves out. */
@@ -14,7 +14,7 @@ export function ofView(thrown, view) {
   if (ghost === undefined) return thrown;
   const path = ['views', view, 'ghost', Number(ghost)];
   const what = thrown.message.slice(thrown.message.indexOf('the model draws'));
-  return new TelarError(ABOUT.code, `spec.views[${view}].ghost[${ghost}]: ${what}`, { pointer: pointerText(path), cause: thrown });
+  return new TelarError(ABOUT.code, `${pathText(path, ABOUT)}: ${what}`, { pointer: pointerText(path), cause: thrown });
 }
 
 /**
@@ -41,7 +41,7 @@ export async function shownBy(views, model, { renderer, facts, signal }) {
     }
     if (!shown[i].facts.bounds) {
       const path = ['views', i, 'ghost'];
-      throw new TelarError(ABOUT.code, `spec.views[${i}].ghost: expected one that leaves a part of the model to be seen`, { pointer: pointerText(path) });
+      throw new TelarError(ABOUT.code, `${pathText(path, ABOUT)}: expected one that leaves a part of the model to be seen`, { pointer: pointerText(path) });
     }
   }
   return shown;

@@ -1,5 +1,5 @@
 import { TelarError } from '../error/index.mjs';
-import { pointerText } from '../shot/complain.mjs';
+import { pathText, pointerText } from '../shot/complain.mjs';
 import { readColourList } from './colour_list.mjs';
 import { LIGHTS, nearestColours } from './colour.mjs';
 import { hexOf } from './pages/cells.mjs';
@@ -83,7 +83,7 @@ export class Squares {
       return square;
     } catch (thrown) {
       if (thrown.code !== 'E_MEASURE') throw thrown;
-      throw new TelarError(ABOUT.code, `spec.${path.join('.')}: ${thrown.message}`, { pointer: pointerText([...path, kind]), cause: thrown });
+      throw new TelarError(ABOUT.code, `${pathText(path, ABOUT)}: ${thrown.message}`, { pointer: pointerText([...path, kind]), cause: thrown });
     }
   }
 

@@ -12,8 +12,8 @@ const MAX_SHOWN = 60;
 /** @type {About} */
 const SHOT = Object.freeze({ name: 'shot', code: 'E_SHOT' });
 
-/** ["lights", 0, "color"] -> "shot.lights[0].color". */
-function pathText(path, { name }) {
+/** ["lights", 0, "color"] -> "shot.lights[0].color". @param {(string | number)[]} path @param {About} [about] */
+export function pathText(path, { name } = SHOT) {
   return path.reduce((text, key) => {
     if (typeof key === 'number') return `${text}[${key}]`;
     return /^[A-Za-z_$][\w$]*$/.test(key) ? `${text}.${key}` : `${text}[${shown(String(key))}]`;

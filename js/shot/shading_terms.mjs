@@ -25,6 +25,20 @@ export const BASES = Object.freeze(['three-r115', 'disney-2012']);
 /** Shadings that are not made of terms. */
 export const WITHOUT_TERMS = Object.freeze(['three', 'fabric']);
 
+/** What a shading is named by, without the terms swapped in it: "fabric", "three-r115", "three@180". @param {string | object} shading */
+export function shadingName(shading) {
+  if (typeof shading === 'string') return shading;
+  const { base, revision } = shading;
+  return revision === undefined ? base : `${base}@${revision}`;
+}
+
+/** The terms that a shading names beside its base. @returns {[slot: string, term: string][]} */
+export function termsBeside(shading) {
+  if (typeof shading === 'string') return [];
+  const { base, revision, ...terms } = shading;
+  return Object.entries(terms);
+}
+
 /**
  * Every slot written out.
  * @param {string | {base: string}} shading a base, or a base with the slots that differ from it

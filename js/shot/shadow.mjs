@@ -1,5 +1,5 @@
 import { TelarError } from '../error/index.mjs';
-import { wrongValue } from './complain.mjs';
+import { pathText, pointerText, wrongValue } from './complain.mjs';
 import { cornersOfBox, cross, dot, length, nearPlane, subtract } from './frame.mjs';
 import { LIGHTS } from './table/lights.mjs';
 import { inOrder, otherwiseOf } from './table/resolved.mjs';
@@ -191,8 +191,9 @@ export function spreadOf(light, depth) {
 
 function needBounds({ bounds }, path) {
   if (bounds) return bounds;
-  throw new TelarError('E_NO_GEOMETRY', `shot.lights[${path[1]}].castShadow: the model has nothing that could cast a shadow; leave castShadow out`, {
-    pointer: `/${path.join('/')}/castShadow`,
+  const at = [...path, 'castShadow'];
+  throw new TelarError('E_NO_GEOMETRY', `${pathText(at)}: the model has nothing that could cast a shadow; leave castShadow out`, {
+    pointer: pointerText(at),
   });
 }
 

@@ -99,6 +99,12 @@ export function familyOf(revision) {
   return { from: BORDERS.findLast((border) => border <= known), to: next === undefined ? REVISION : next - 1 };
 }
 
+/** Whether a shading is stock three.js, of whatever release. @param {string | object | null} shading - Resolved or not. */
+export const isRelease = (shading) => shading === 'three' || shading?.base === 'three';
+
+/** N of the release 0.N that such a shading is of. */
+export const releaseOf = (shading) => shading.revision ?? REVISION;
+
 /** "three.js 0.165 to 0.180" */
 export const familyName = ({ from, to }) => (from === to ? `three.js 0.${from}` : `three.js 0.${from} to 0.${to}`);
 

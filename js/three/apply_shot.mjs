@@ -1,13 +1,14 @@
 import { lensExposure } from '../shot/lens_exposure.mjs';
 import { meteredSize } from '../shot/metering.mjs';
 import { TONE_MAPPINGS } from '../shot/table/tone_mappings.mjs';
+import { isRelease } from '../shot/three_terms.mjs';
 import { recallAssociations } from './associations.mjs';
 import { putOnCloths, takeOffCloths } from './cloths.mjs';
 import { applyOlderOutput, backgroundColor, dimEnvironment, environmentTurned } from './older_release.mjs';
 import { applyGhosts, removeGhosts } from './ghost.mjs';
 import { applyMetering } from './metering.mjs';
 import { applyPose } from './pose.mjs';
-import { isStockShading, matchRelease, revisionOf } from './release.mjs';
+import { matchRelease, revisionOf } from './release.mjs';
 import { applyLightShadow, applyShadows } from './shadows.mjs';
 import { applyShading, restoreMaterials } from './shading.mjs';
 import { environmentOf, isCut, keepSuns } from './suns.mjs';
@@ -74,7 +75,7 @@ async function apply(shot, { THREE, renderer, scene, camera, model, environment,
   if (model) recallAssociations(model);
   applyOutput(shot, THREE, renderer);
   if (shot.lights.some(({ type }) => type === 'rect')) await prepareAreaLights(THREE, areaLightTables);
-  const isStock = isStockShading(shot.shading);
+  const isStock = isRelease(shot.shading);
   const mapOf = (smallToo) => (shot.environment.map !== 'none' && environment ? environmentOf(THREE, environment, smallToo) : null);
   const lighting = mapOf(shot.shading === 'fabric');
   applyLights(shot, THREE, scene, model, isStock ? [] : lighting?.suns);

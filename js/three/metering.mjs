@@ -1,15 +1,13 @@
 import { lensExposure } from '../shot/lens_exposure.mjs';
 import { meteredExposure, meteredSize } from '../shot/metering.mjs';
+import { HALF_MAX } from './half.mjs';
 import { hideGround } from './shadows.mjs';
-
-/** The most that a half float holds, above which it is infinite. The server's picture is capped there. */
-const HALF_MAX = 65504;
 
 /** Whether a picture of 32-bit floats can be drawn, with what is blended in it. */
 const drawsFloats = ({ extensions }) => extensions.has('EXT_color_buffer_float') && extensions.has('EXT_float_blend');
 
 /**
- * The light of a picture by the exposure of a lens, each capped to what a half float holds.
+ * The light of a picture by the exposure of a lens, each capped to what a half float holds: the server's picture is, too.
  *
  * @param {ArrayLike<number>} light - RGBA, multiplied by alpha.
  * @param {number} exposure

@@ -1,13 +1,7 @@
-import { familyName, familyOf, REVISION, revisionRemark, resolveThree } from '../shot/three_terms.mjs';
+import { familyName, familyOf, isRelease, releaseOf, REVISION, revisionRemark, resolveThree } from '../shot/three_terms.mjs';
 
 /** Of the client's module: N of 0.N. A development version such as "188dev" counts as its release. */
 export const revisionOf = (THREE) => Number.parseInt(THREE.REVISION, 10);
-
-/** Releases that a shot can name: N of 0.N of a shading that is stock three.js, null for any other. */
-const revisionOfShading = (shading) => (shading === 'three' ? REVISION : shading.base === 'three' ? (shading.revision ?? REVISION) : null);
-
-/** Whether stock three.js draws a shading, of whatever release. */
-export const isStockShading = (shading) => revisionOfShading(shading) !== null;
 
 /** What was warned of on this page: one line each. */
 const warned = new Set();
@@ -27,9 +21,8 @@ export function warnOnce(text) {
  */
 export function matchRelease(shot, THREE, revision) {
   if (!['shot', 'client'].includes(revision)) throw new Error(`applyShot: expected revision "shot" or "client", got ${revision}`);
-  const named = revisionOfShading(shot.shading);
   const own = revisionOf(THREE);
-  if (named === null) {
+  if (!isRelease(shot.shading)) {
     if (familyOf(own).from !== familyOf(REVISION).from) warnOnce(`the shading is made for three.js 0.${REVISION}, and this page has 0.${own}`);
     return;
   }
@@ -39,7 +32,7 @@ export function matchRelease(shot, THREE, revision) {
     if (remark) warnOnce(`${remark}, by the server`);
     return;
   }
-  const [asked, drawn] = [named, own].map(familyOf);
+  const [asked, drawn] = [releaseOf(shot.shading), own].map(familyOf);
   if (asked.from !== drawn.from)
     warnOnce(
       `this page draws with three.js 0.${own} what the shot has the server draw as ${familyName(asked)}, which looks different: ` +

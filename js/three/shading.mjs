@@ -1,4 +1,4 @@
-import { isStockShading } from './release.mjs';
+import { isRelease } from '../shot/three_terms.mjs';
 
 /** Material of a mesh in the model as loaded (or of its variant), by what stands in its place. */
 const originals = new WeakMap();
@@ -28,7 +28,7 @@ export function restoreMaterials(root) {
  * @param {{THREE: typeof import('three'), ownText?: boolean}} options - `ownText`: shades "three" by telar's text of it.
  */
 export async function applyShading(model, shading, { THREE, ownText = false }) {
-  if (isStockShading(shading) && !ownText) {
+  if (isRelease(shading) && !ownText) {
     restoreMaterials(model.scene);
     return;
   }

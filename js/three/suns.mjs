@@ -1,8 +1,5 @@
 import { luminance } from '../shot/luminance.mjs';
-
-/** Largest number that a half float holds, and its bits. */
-const HALF_MAX = 65504;
-const HALF_MAX_BITS = 0x7bff;
+import { HALF_MAX, HALF_MAX_BITS } from './half.mjs';
 
 /** Most suns of one map: what lies close together is one. */
 const MOST = 8;

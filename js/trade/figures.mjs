@@ -1,4 +1,4 @@
-import { percentile } from '../compare/statistics.mjs';
+import { median } from '../compare/statistics.mjs';
 import { classesOf } from '../predict/classes.mjs';
 import { PRESET_NAMES } from '../predict/settings.mjs';
 import { aboveFront, cheapestWithin, frontOf } from './front.mjs';
@@ -8,12 +8,6 @@ export const BARS = [0.005, 0.01, 0.02, 0.04];
 
 /** How far above the front a preset may lie, as a part of its time. */
 export const LEEWAY = 0.1;
-
-const median = (values) =>
-  percentile(
-    values.toSorted((a, b) => a - b),
-    0.5,
-  );
 
 /** Rows of one scene at one size. @param {import('./measure.mjs').Row[]} rows */
 export function byScene(rows) {

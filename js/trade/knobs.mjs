@@ -1,4 +1,4 @@
-import { percentile } from '../compare/statistics.mjs';
+import { median } from '../compare/statistics.mjs';
 import { PRESETS } from '../shot/table/quality.mjs';
 import { byScene } from './figures.mjs';
 
@@ -57,12 +57,6 @@ export const KNOB_SETTINGS = Object.freeze({
 
 /** What a setting is compared with. */
 const fromOf = (setting) => (setting === VISIBILITY ? FROM_OCCLUDED : FROM);
-
-const median = (values) =>
-  percentile(
-    values.toSorted((a, b) => a - b),
-    0.5,
-  );
 
 /**
  * What each setting changes against `standard` of the same scene, ambient visibility against the same truth.

@@ -2,6 +2,7 @@ import { compareImages } from '../compare/index.mjs';
 import { TelarError } from '../error/index.mjs';
 import { familyOf } from '../predict/settings.mjs';
 import { windowCamera, windowOf } from '../predict/window.mjs';
+import { shadingName, termsBeside } from '../shot/shading_terms.mjs';
 import { SAMPLES_OF_A_PASS } from '../shot/table/quality.mjs';
 
 /**
@@ -44,12 +45,10 @@ const withSetting = (shot, setting) => {
 };
 
 /** A shading as a table names it: its base, and what of it the shot changes. */
-function shadingName(shading) {
-  if (typeof shading === 'string') return shading;
-  const { base, revision, ...terms } = shading;
-  const changed = Object.entries(terms).map(([slot, term]) => ` ${slot} ${term}`);
-  return `${base}${revision === undefined ? '' : `@${revision}`}${changed.join(',')}`;
-}
+const tableName = (shading) =>
+  `${shadingName(shading)}${termsBeside(shading)
+    .map(([slot, term]) => ` ${slot} ${term}`)
+    .join(',')}`;
 
 /** Whether a setting changes what the scene does not have. */
 const isIdle = ({ shadow, quality, transmissionScale = quality?.transmissionScale ?? 1, samples, shadowScale }, { shadows }, passes) =>
@@ -234,7 +233,7 @@ export async function measureScene(
 ) {
   const window = await new SceneWindow(new TimedDrawing(renderer, model, signal), store, truth).open(scene, side, featuresOf);
   const { features, resolved } = window;
-  const named = { model: scene.model, light: scene.light, shading: shadingName(scene.shot.shading ?? features.shading) };
+  const named = { model: scene.model, light: scene.light, shading: tableName(scene.shot.shading ?? features.shading) };
   const rows = [];
   for (const [setting, quality] of Object.entries(settings)) {
     if (isIdle(quality, features, window.passes)) {

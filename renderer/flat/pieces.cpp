@@ -54,7 +54,7 @@ class Pieces {
         view_(view),
         options_(options),
         creaseCosine_(std::cos(options.creaseAngle * std::numbers::pi / 180)) {
-    const double extent = glm::distance(surface.bounds.min, surface.bounds.max);
+    const double extent = surface.bounds.diagonal();
     layer_ = LAYER_OF_EXTENT * extent, sewn_ = SEWN_OF_EXTENT * extent, across_ = SEWN_ACROSS_OF_EXTENT * extent;
     nextNode_ = static_cast<std::uint32_t>(surface.points.size());
   }

@@ -48,8 +48,8 @@ constexpr double BESIDE = 2;
 
 /// Whether no line of sight through a pixel of the bounds, or one beside it, meets the sphere of a light.
 bool liesBeside(const Bounds& bounds, const Camera& camera, int height, const glm::dvec3& light, double range) {
-  const double radius = glm::length(bounds.max - bounds.min) / 2;
-  const glm::dvec3 model(camera.view * glm::dvec4((bounds.min + bounds.max) / 2.0, 1.0));
+  const double radius = bounds.diagonal() / 2;
+  const glm::dvec3 model(camera.view * glm::dvec4(bounds.middle(), 1.0));
   const double pixel = 2 / (std::abs(camera.projection[1][1]) * height);  // metres; in perspective at a depth of 1
   if (camera.orthographic) return glm::distance(glm::dvec2(model), glm::dvec2(light)) > radius + range + BESIDE * pixel;
   const double toModel = glm::length(model), toLight = glm::length(light);

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "gl/clamped_sampling.h"
 #include "gl/incomplete.h"
 
 namespace telar::ibl {
@@ -72,10 +73,7 @@ Atlas createAtlas(const gl::Context& context, int faceSize) {
   Atlas atlas{gl::Texture(gl), faceSize};
   gl.BindTexture(GL_TEXTURE_2D, atlas.texture.get());
   gl.TexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA16F, atlas.width(), atlas.height());
-  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
-    gl.TexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
-  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-    gl.TexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
+  gl::setClampedSampling(gl, GL_TEXTURE_2D, GL_LINEAR, GL_LINEAR);
   context.check("environment atlas");
   return atlas;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/gtc/packing.hpp>
 
+#include "gl/clamped_sampling.h"
 #include "gl/incomplete.h"
 #include "shader/library.h"
 #include "telar/codec.h"
@@ -30,10 +31,7 @@ CubeMap createCube(const gl::Functions& gl, int faceSize, int levels) {
   CubeMap cube{gl::Texture(gl), faceSize, levels};
   gl.BindTexture(GL_TEXTURE_CUBE_MAP, cube.texture.get());
   gl.TexStorage2D(GL_TEXTURE_CUBE_MAP, levels, GL_RGBA16F, faceSize, faceSize);
-  gl.TexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  gl.TexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-  gl.TexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  gl.TexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MIN_FILTER, levels > 1 ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
+  gl::setClampedSampling(gl, GL_TEXTURE_CUBE_MAP, levels > 1 ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR, GL_LINEAR);
   return cube;
 }
 
@@ -79,10 +77,7 @@ gl::Texture uploadEquirect(const gl::Functions& gl, const ImageF& map) {
   gl.TexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA16F, static_cast<GLsizei>(map.width), static_cast<GLsizei>(map.height));
   gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, static_cast<GLsizei>(map.width), static_cast<GLsizei>(map.height), GL_RGBA,
                    GL_HALF_FLOAT, halfs.data());
-  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
-    gl.TexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
-  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-    gl.TexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
+  gl::setClampedSampling(gl, GL_TEXTURE_2D, GL_LINEAR, GL_LINEAR);
   return texture;
 }
 

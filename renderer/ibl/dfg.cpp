@@ -1,6 +1,7 @@
 #include "ibl/dfg.h"
 
 #include "brdf/dfg_lookup.h"
+#include "gl/clamped_sampling.h"
 
 namespace telar::ibl {
 gl::Texture createDfgTexture(const gl::Functions& gl, const ThreeTerms& three) {
@@ -10,10 +11,7 @@ gl::Texture createDfgTexture(const gl::Functions& gl, const ThreeTerms& three) {
   gl.TexStorage2D(GL_TEXTURE_2D, 1, GL_RG16F, table.size, table.size);
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
   gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, table.size, table.size, GL_RG, GL_HALF_FLOAT, table.halfs);
-  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
-    gl.TexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
-  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-    gl.TexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
+  gl::setClampedSampling(gl, GL_TEXTURE_2D, GL_LINEAR, GL_LINEAR);
   return texture;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/octahedron.h"
+#include "gl/clamped_sampling.h"
 #include "gl/program.h"
 #include "ibl/cube.h"
 #include "shader/library.h"
@@ -37,11 +38,8 @@ OctahedralMap createOctahedralMap(const gl::Functions& gl, int size, int levels)
   OctahedralMap map{gl::Texture(gl), size};
   gl.BindTexture(GL_TEXTURE_2D, map.texture.get());
   gl.TexStorage2D(GL_TEXTURE_2D, levels, GL_RGBA16F, size, size);
-  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
-    gl.TexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   // A gutter is of its level alone: no read mixes two.
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, levels > 1 ? GL_LINEAR_MIPMAP_NEAREST : GL_LINEAR);
+  gl::setClampedSampling(gl, GL_TEXTURE_2D, levels > 1 ? GL_LINEAR_MIPMAP_NEAREST : GL_LINEAR, GL_LINEAR);
   return map;
 }
 

@@ -90,6 +90,14 @@ void configure(jpeg_compress_struct& jpeg, const Frame& frame, const OutputOptio
   }
 }
 
+/// @param pixels  straight RGBA
+bool isOpaque(const JSAMPLE* pixels, std::size_t bytes) {
+  for (std::size_t i = 3; i < bytes; i += 4) {
+    if (pixels[i] != 255) return false;
+  }
+  return true;
+}
+
 /// @param pixels  straight RGBA, as many bytes as `row` has
 void rowOverBlack(const JSAMPLE* pixels, std::vector<JSAMPLE>& row) {
   for (std::size_t i = 0; i < row.size(); i += 4) {
@@ -114,9 +122,11 @@ std::vector<std::byte> encodeJpeg(const Frame& frame, const OutputOptions& optio
   std::vector<JSAMPLE> row(rowBytes);
   for (std::uint32_t y = 0; y < frame.height; ++y) {
     if (y % 64 == 0) cancel.check();
-    rowOverBlack(reinterpret_cast<const JSAMPLE*>(frame.pixels.data() + y * rowBytes), row);
+    const auto* pixels = reinterpret_cast<const JSAMPLE*>(frame.pixels.data() + y * rowBytes);
+    const bool opaque = isOpaque(pixels, rowBytes);
+    if (!opaque) rowOverBlack(pixels, row);
     writer.step([&](jpeg_compress_struct& jpeg) {
-      JSAMPLE* first = row.data();
+      JSAMPLE* first = opaque ? const_cast<JSAMPLE*>(pixels) : row.data();  // libjpeg only reads it
       jpeg_write_scanlines(&jpeg, &first, 1);
     });
   }

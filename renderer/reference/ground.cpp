@@ -20,7 +20,7 @@ Ground::Ground(const Shot& shot, const glm::dvec3& centre)
     if (!light.castShadow) continue;
     const Shot::Light::Shadow& shadow = light.shadow;
     // A map of the raster whose shadows fall on the model has finer texels too.
-    const int finer = shot.shading == ShadingModel::kFabric && light.intensity > 0 ? shot.shadowScale : 1;
+    const int finer = shot.shading == ShadingModel::kFabric && shines(light) ? shot.shadowScale : 1;
     const double texels = (shadow.radius + TAP) / (shadow.mapSize * finer);  // parts of the map's side
     Caster caster;
     caster.intensity = static_cast<float>(shadow.intensity);

@@ -7,7 +7,7 @@
 namespace telar::reference {
 
 PlacedScene::PlacedScene(const Scene& scene, const Shot& shot, const CancelToken& cancel)
-    : centre(scene.bounds.empty() ? glm::dvec3(0) : (scene.bounds.min + scene.bounds.max) * 0.5),
+    : centre(scene.bounds.empty() ? glm::dvec3(0) : scene.bounds.middle()),
       radius(scene.bounds.empty() ? 1.0f : static_cast<float>(glm::distance(scene.bounds.max, centre))),
       meshes(placeMeshes(scene, frame::variantIndex(scene, shot.variant), centre, cancel, shot.shading, shot.three,
                          frame::Ghosts(scene, shot))),

@@ -12,8 +12,6 @@
 namespace telar::reference {
 namespace {
 
-constexpr std::uint32_t NEAREST = 9728, CLAMP_TO_EDGE = 33071, MIRRORED_REPEAT = 33648;
-
 /// The texels on both sides of a place, and how far it is from the first to the second.
 struct Taps {
   std::size_t low, high;
@@ -21,8 +19,8 @@ struct Taps {
 };
 
 std::size_t wrapped(std::int64_t i, std::int64_t size, std::uint32_t mode) {
-  if (mode == CLAMP_TO_EDGE) return static_cast<std::size_t>(std::clamp<std::int64_t>(i, 0, size - 1));
-  const std::int64_t period = mode == MIRRORED_REPEAT ? 2 * size : size;
+  if (mode == telar::Sampler::CLAMP_TO_EDGE) return static_cast<std::size_t>(std::clamp<std::int64_t>(i, 0, size - 1));
+  const std::int64_t period = mode == telar::Sampler::MIRRORED_REPEAT ? 2 * size : size;
   const std::int64_t at = i < 0 ? i + period : i >= period ? i - period : i;
   return static_cast<std::size_t>(at >= size ? period - 1 - at : at);
 }
@@ -37,8 +35,8 @@ std::int64_t floorOf(double x) {
 /// whole numbers for each texel would take longer than the reads.
 double placeOf(float coordinate, std::uint32_t size, std::uint32_t mode) {
   const double c = coordinate;
-  if (mode == CLAMP_TO_EDGE) return std::clamp(c, -1.0, 2.0) * size;
-  if (mode == MIRRORED_REPEAT) return (c - static_cast<double>(floorOf(c / 2)) * 2) * size;
+  if (mode == telar::Sampler::CLAMP_TO_EDGE) return std::clamp(c, -1.0, 2.0) * size;
+  if (mode == telar::Sampler::MIRRORED_REPEAT) return (c - static_cast<double>(floorOf(c / 2)) * 2) * size;
   return (c - static_cast<double>(floorOf(c))) * size;
 }
 
@@ -90,7 +88,7 @@ glm::vec4 Textures::read(const TextureRef& texture, const glm::vec2& uv, bool sr
   if (!(std::abs(moved.x) < 1e9f && std::abs(moved.y) < 1e9f)) return glm::vec4(1.0f);
   const TexelReader reader{image, decodesSrgb(image.coding, srgb) ? linear_ : bytes_, bytes_};
   const telar::Sampler& sampler = texture.sampler;
-  if (sampler.magFilter == NEAREST) {
+  if (sampler.magFilter == telar::Sampler::NEAREST) {
     return reader.texel(nearestOf(moved.x, image.width, sampler.wrapS),
                         nearestOf(moved.y, image.height, sampler.wrapT));
   }

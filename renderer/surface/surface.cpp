@@ -110,7 +110,7 @@ class Builder {
       for (const glm::dvec3& p : corners(placed)) surface_.bounds.add(p);
     }
     if (surface_.bounds.empty()) return std::move(surface_);
-    const double extent = glm::distance(surface_.bounds.min, surface_.bounds.max);
+    const double extent = surface_.bounds.diagonal();
     surface_.tolerance = std::max({options_.join, extent * WELD_OF_EXTENT, std::numeric_limits<double>::min()});
     Welder welder(surface_.points, surface_.bounds.min, surface_.tolerance);
     for (const Placed& placed : placed_) {

@@ -86,13 +86,11 @@ Primitive squareOf(const swatch::Worn& worn, const std::array<glm::dvec2, 2>& mi
   return out;
 }
 
-constexpr std::uint32_t CLAMP_TO_EDGE = 33071;
-
 /// Whether the square shows a tile of a texture or more, along both of its sides.
 bool showsATile(const Primitive& square, const TextureRef& texture) {
   const auto& uvs = square.uvs[static_cast<std::size_t>(texture.texCoord)];
   if (uvs.empty()) return false;
-  if (texture.sampler.wrapS == CLAMP_TO_EDGE || texture.sampler.wrapT == CLAMP_TO_EDGE) return false;
+  if (texture.sampler.wrapS == Sampler::CLAMP_TO_EDGE || texture.sampler.wrapT == Sampler::CLAMP_TO_EDGE) return false;
   const glm::mat2 transform = texture.hasTransform ? glm::mat2(texture.uvTransform) : glm::mat2(1);
   const glm::vec2 across = transform * (uvs[QUADS] - uvs[0]), up = transform * (uvs.back() - uvs[QUADS]);
   return glm::length(across) >= 1 && glm::length(up) >= 1;

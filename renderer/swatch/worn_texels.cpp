@@ -13,12 +13,11 @@ namespace {
 
 constexpr double PLACES = 1 << 18;
 constexpr std::size_t FACES_PER_TEXEL_CHECK = 1 << 12;
-constexpr std::uint32_t CLAMP_TO_EDGE = 33071, MIRRORED_REPEAT = 33648;
 
 std::size_t texelAt(double coordinate, std::uint32_t wrap, std::uint32_t count) {
-  if (wrap == CLAMP_TO_EDGE) {
+  if (wrap == Sampler::CLAMP_TO_EDGE) {
     coordinate = std::clamp(coordinate, 0.0, 1.0);
-  } else if (wrap == MIRRORED_REPEAT) {
+  } else if (wrap == Sampler::MIRRORED_REPEAT) {
     coordinate = std::abs(coordinate - 2 * std::round(coordinate / 2));
   } else {
     coordinate -= std::floor(coordinate);

@@ -62,15 +62,7 @@ function captionTop(layout, { view, ratio, box, picture, placed }) {
 function figureOf(layout, { view, ratio, box, placed, labels, picture }) {
   const figure = emptyFigure(layout.page.box.width, layout.page.box.height - HEADING);
   figure.pictures.push({ ...picture, alt: layout.altOf(view, ratio), round: false, frame: false });
-  figure.captions.push({
-    x: box.x,
-    y: captionTop(layout, { view, ratio, box, picture, placed }),
-    width: box.width,
-    title: layout.titleOf(view),
-    note: layout.scaleNote(ratio),
-    text: '',
-    centred: true,
-  });
+  figure.captions.push(layout.caption(view, ratio, { x: box.x, y: captionTop(layout, { view, ratio, box, picture, placed }), width: box.width }));
   const byId = new Map(labels.map((label) => [label.id, label]));
   for (const { id, x, y, width, height, leader } of placed) {
     const { number, shown, isChanged } = byId.get(id);

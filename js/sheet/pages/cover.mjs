@@ -49,7 +49,7 @@ export function rowOfViews(layout, views, box, given) {
     const left = isEven ? GAP / 2 + i * (share + GAP) + (share - width) / 2 : x;
     const name = isEven ? { x: left - (share - width) / 2, width: share } : { x: left - free / 2, width: width + free };
     figure.pictures.push({ file, x: left, y: bottom - height, width, height, alt: layout.altOf(views[i], ratio), round: false, frame: false });
-    figure.captions.push({ ...name, y: bottom + CAPTION_GAP, title: layout.titleOf(views[i]), note: layout.scaleNote(ratio), text: '', centred: true });
+    figure.captions.push(layout.caption(views[i], ratio, { ...name, y: bottom + CAPTION_GAP }));
     x += width + free;
   });
   return figure;

@@ -127,15 +127,7 @@ function parentOf(layout, view, cells, width) {
   const low = Math.max(high, ...boxes.map((box) => box.y + box.height));
   const figure = emptyFigure(width, top + low + caption);
   figure.pictures.push({ file, x, y: top, width: wide, height: high, alt: layout.altOf(view, ratio), round: false, frame: false });
-  figure.captions.push({
-    x: 0,
-    y: top + low + CAPTION_GAP,
-    width,
-    title: layout.titleOf(view),
-    note: layout.scaleNote(ratio),
-    text: '',
-    centred: true,
-  });
+  figure.captions.push(layout.caption(view, ratio, { x: 0, y: top + low + CAPTION_GAP, width }));
   const taken = [];
   cells.forEach(({ key, picture }, i) => {
     const box = { ...boxes[i], y: boxes[i].y + top };

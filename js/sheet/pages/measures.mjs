@@ -80,15 +80,7 @@ async function figuresOfView(layout, view, measures) {
     for (const each of drawn) draw(figure, each, byId.get(each.id));
     // Close beneath what is lowest: the garment, a line or a code.
     const low = Math.max(y + high, ...figure.lines.flatMap(({ points }) => points.map(([, py]) => py)), ...figure.codes.map((code) => code.y + code.height));
-    figure.captions.push({
-      x: 0,
-      y: Math.min(low, area.height) + CAPTION_GAP,
-      width: area.width,
-      title: layout.titleOf(view),
-      note: layout.scaleNote(ratio),
-      text: '',
-      centred: true,
-    });
+    figure.captions.push(layout.caption(view, ratio, { x: 0, y: Math.min(low, area.height) + CAPTION_GAP, width: area.width }));
     const note = sections.length === 0 ? layout.titleOf(view) : `${layout.titleOf(view)} (${words('continued')})`;
     sections.push({ kind: 'figure', break: true, title: words('measures'), note, figure });
     left = rest;

@@ -5,6 +5,7 @@
 #include "asset/document/extension_value.h"
 #include "asset/geometry/deformers.h"
 #include "asset/geometry/repair.h"
+#include "asset/geometry/topology.h"
 
 namespace telar::asset {
 namespace {
@@ -237,16 +238,13 @@ Bounds declaredBounds(const tinygltf::Accessor& info, const std::vector<glm::vec
 /// Bounds of what is drawn, and a comparison with the declared ones, by which draws are sorted and nothing else.
 void GeometryReader::measure(const Source& source, Primitive& out) const {
   const auto used = usedVertices(out.positions.size(), out.indices);
-  if (used.empty()) {
-    for (const auto& position : out.positions) out.bounds.add(glm::dvec3(position));
-  }
-  for (const std::uint32_t index : used) out.bounds.add(glm::dvec3(out.positions[index]));
+  out.bounds = drawnBounds(out.positions, used);
   const int accessor = attribute(source, "POSITION");
   const auto& info = from_.accessors.info(accessor);
   out.fileBounds = declaredBounds(info, out.positions);
   if (info.componentType != COMPONENT_F32 || (info.minValues.empty() && info.maxValues.empty())) return;
   bool right = info.minValues.size() == 3 && info.maxValues.size() == 3;
-  const double slack = 1e-3 * glm::length(out.bounds.max - out.bounds.min);
+  const double slack = 1e-3 * out.bounds.diagonal();
   for (int i = 0; right && i < 3; ++i) {
     const double low = info.minValues[static_cast<std::size_t>(i)], high = info.maxValues[static_cast<std::size_t>(i)];
     right = low <= out.bounds.min[i] + slack && high >= out.bounds.max[i] - slack;

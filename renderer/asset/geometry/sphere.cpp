@@ -4,9 +4,7 @@
 
 namespace telar::asset {
 
-Sphere Sphere::around(const Bounds& bounds) {
-  return {(bounds.min + bounds.max) * 0.5, glm::length(bounds.max - bounds.min) / 2};
-}
+Sphere Sphere::around(const Bounds& bounds) { return {bounds.middle(), bounds.diagonal() / 2}; }
 
 void Sphere::add(const glm::dvec3& point) {
   if (radius < 0) {

@@ -107,4 +107,13 @@ std::vector<std::uint32_t> usedVertices(std::size_t vertices, const std::vector<
   return out;
 }
 
+Bounds drawnBounds(const std::vector<glm::vec3>& positions, const std::vector<std::uint32_t>& used) {
+  Bounds out;
+  if (used.empty()) {
+    for (const auto& position : positions) out.add(glm::dvec3(position));
+  }
+  for (const std::uint32_t index : used) out.add(glm::dvec3(positions[index]));
+  return out;
+}
+
 }  // namespace telar::asset

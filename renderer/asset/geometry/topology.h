@@ -26,5 +26,7 @@ bool drawsNothing(Topology topology, std::size_t vertices, const Order& order);
 
 /// Vertices that are drawn, each once; empty where all are.
 std::vector<std::uint32_t> usedVertices(std::size_t vertices, const std::vector<std::uint32_t>& indices);
+/// Bounds of vertices that are drawn. @param used  of usedVertices()
+Bounds drawnBounds(const std::vector<glm::vec3>& positions, const std::vector<std::uint32_t>& used);
 
 }  // namespace telar::asset

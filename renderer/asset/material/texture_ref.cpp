@@ -12,13 +12,18 @@ namespace {
 
 constexpr int UV_SETS = 2;
 
-constexpr int WRAPS[] = {33071, 33648, 10497};
-constexpr int MAG_FILTERS[] = {9728, 9729};
-constexpr int MIN_FILTERS[] = {9728, 9729, 9984, 9985, 9986, 9987};
+constexpr std::uint32_t WRAPS[] = {Sampler::CLAMP_TO_EDGE, Sampler::MIRRORED_REPEAT, Sampler::REPEAT};
+constexpr std::uint32_t MAG_FILTERS[] = {Sampler::NEAREST, Sampler::LINEAR};
+constexpr std::uint32_t MIN_FILTERS[] = {Sampler::NEAREST,
+                                         Sampler::LINEAR,
+                                         Sampler::NEAREST_MIPMAP_NEAREST,
+                                         Sampler::LINEAR_MIPMAP_NEAREST,
+                                         Sampler::NEAREST_MIPMAP_LINEAR,
+                                         Sampler::LINEAR_MIPMAP_LINEAR};
 
 template <std::size_t N>
-bool isOneOf(int value, const int (&list)[N]) {
-  return std::find(std::begin(list), std::end(list), value) != std::end(list);
+bool isOneOf(int value, const std::uint32_t (&list)[N]) {
+  return std::find(std::begin(list), std::end(list), static_cast<std::uint32_t>(value)) != std::end(list);
 }
 
 /// T * R * S of the extension, in the signs in which three.js 0.187 (GLTFTextureTransformExtension) writes it.

@@ -117,11 +117,7 @@ Primitive deformed(const Primitive& source, const Deformation& deformation, std:
   if (out.positions.empty()) return out;
   repairNormals(out);
   repairTangents(out);
-  const auto used = usedVertices(out.positions.size(), out.indices);
-  if (used.empty()) {
-    for (const auto& position : out.positions) out.bounds.add(glm::dvec3(position));
-  }
-  for (const std::uint32_t index : used) out.bounds.add(glm::dvec3(out.positions[index]));
+  out.bounds = drawnBounds(out.positions, usedVertices(out.positions.size(), out.indices));
   return out;
 }
 

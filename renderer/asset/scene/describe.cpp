@@ -106,7 +106,7 @@ glm::dvec3 unit(const glm::dvec3& v, const glm::dvec3& fallback) {
 json describe(const ModelCamera& camera, const Node& node, std::size_t nodeIndex, const Bounds& bounds) {
   const glm::dvec3 position(node.world[3]);
   const glm::dvec3 forward = unit(-glm::dvec3(node.world[2]), {0, 0, -1});
-  const double distance = glm::dot((bounds.min + bounds.max) * 0.5 - position, forward);
+  const double distance = glm::dot(bounds.middle() - position, forward);
   const glm::dvec3 target = position + forward * (distance > 0 ? distance : 1.0);
   json out = {{"name", camera.name.empty() ? node.name : camera.name},
               {"node", nodeIndex},

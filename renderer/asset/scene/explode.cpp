@@ -41,13 +41,11 @@ void addPrimitive(Facing& facing, const glm::dmat4& world, const Primitive& prim
   }
 }
 
-glm::dvec3 middle(const Bounds& bounds) { return (bounds.min + bounds.max) * 0.5; }
-
 /// Unit; none where a part faces nowhere and lies in the middle.
 std::optional<glm::dvec3> wayOf(const Facing& facing, const glm::dvec3& centre) {
   if (facing.bounds.empty()) return std::nullopt;
   if (glm::length(facing.normal) > FACING * facing.area) return glm::normalize(facing.normal);
-  const glm::dvec3 away = middle(facing.bounds) - centre;
+  const glm::dvec3 away = facing.bounds.middle() - centre;
   if (glm::length(away) == 0) return std::nullopt;
   return glm::normalize(away);
 }
@@ -59,7 +57,7 @@ std::shared_ptr<const Scene> explodeScene(const std::shared_ptr<const Scene>& mo
   try {
     auto out = std::make_shared<Scene>(*model);
     out->model = model->model ? model->model : model;
-    const glm::dvec3 centre = middle(model->bounds);
+    const glm::dvec3 centre = model->bounds.middle();
     asset::DrawnPoints points(cancel);
     out->bounds = Bounds();
     for (Node& node : out->nodes) {

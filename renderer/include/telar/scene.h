@@ -12,6 +12,7 @@
 
 #include "telar/fabric.h"
 #include "telar/image.h"
+#include "telar/luminance.h"
 #include "telar/motion.h"
 #include "telar/pending_images.h"
 #include "telar/shading.h"
@@ -69,7 +70,8 @@ struct Bounds {
   glm::dvec3 max{-std::numeric_limits<double>::infinity()};
   bool empty() const { return !(min.x <= max.x && min.y <= max.y && min.z <= max.z); }
   void add(const glm::dvec3& p) { min = glm::min(min, p), max = glm::max(max, p); }
-  glm::dvec3 middle() const { return (min + max) * 0.5; }  ///< @pre not empty
+  glm::dvec3 middle() const { return (min + max) * 0.5; }     ///< @pre not empty
+  double diagonal() const { return glm::length(max - min); }  ///< metres; infinite where it is empty
   std::array<glm::dvec3, 8> corners() const {
     std::array<glm::dvec3, 8> out;
     for (std::size_t i = 0; i < out.size(); ++i)
@@ -144,8 +146,8 @@ inline glm::dvec3 towardsLight(const ModelLight& light, const glm::dmat4& world)
 
 /// Whether it gives light anywhere, where its node is.
 inline bool shines(const ModelLight& light, const glm::dmat4& world) {
-  const bool isDark = glm::vec3(glm::dvec3(light.color) * static_cast<double>(light.intensity)) == glm::vec3(0);
-  return !isDark && (light.type == LightType::kPoint || towardsLight(light, world) != glm::dvec3(0));
+  return shines(light.color, light.intensity) &&
+         (light.type == LightType::kPoint || towardsLight(light, world) != glm::dvec3(0));
 }
 
 struct ModelCamera {

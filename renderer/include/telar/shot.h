@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "telar/codec.h"
+#include "telar/luminance.h"
 #include "telar/motion.h"
 #include "telar/part_query.h"
 #include "telar/shading.h"
@@ -88,6 +89,12 @@ struct Shot : shot::Size, shot::Values, shot::RasterQuality {
 
   bool hasLayer(Layer layer) const { return std::find(layers.begin(), layers.end(), layer) != layers.end(); }
 };
+
+/// Whether it gives light anywhere.
+inline bool shines(const Shot::Light& light) {
+  return shines(light.color, light.intensity) ||
+         (light.type == Shot::Light::Type::kHemisphere && shines(light.groundColor, light.intensity));
+}
 
 /// @throws Error{E_SHOT} naming the path of a missing or wrong key (a resolved shot has them all).
 Shot parseShot(std::string_view resolvedJson);

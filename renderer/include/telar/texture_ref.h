@@ -4,15 +4,20 @@
 
 namespace telar {
 
-/// Values are the GL enums that glTF uses (10497 REPEAT, 9729 LINEAR, 9987 LINEAR_MIPMAP_LINEAR, ...).
+/// How a texture is read: values are the GL enums that glTF uses.
 struct Sampler {
-  std::uint32_t wrapS = 10497;
-  std::uint32_t wrapT = 10497;
-  std::uint32_t magFilter = 9729;
-  std::uint32_t minFilter = 9987;
+  static constexpr std::uint32_t REPEAT = 10497, CLAMP_TO_EDGE = 33071, MIRRORED_REPEAT = 33648;
+  static constexpr std::uint32_t NEAREST = 9728, LINEAR = 9729;
+  static constexpr std::uint32_t NEAREST_MIPMAP_NEAREST = 9984, LINEAR_MIPMAP_NEAREST = 9985;
+  static constexpr std::uint32_t NEAREST_MIPMAP_LINEAR = 9986, LINEAR_MIPMAP_LINEAR = 9987;
+
+  std::uint32_t wrapS = REPEAT;
+  std::uint32_t wrapT = REPEAT;
+  std::uint32_t magFilter = LINEAR;
+  std::uint32_t minFilter = LINEAR_MIPMAP_LINEAR;
   bool operator==(const Sampler&) const = default;
   /// Or level 0 alone.
-  bool readsMipLevels() const { return minFilter != 9728 && minFilter != 9729; }
+  bool readsMipLevels() const { return minFilter != NEAREST && minFilter != LINEAR; }
 };
 
 /// One use of a texture by a material.

@@ -20,8 +20,8 @@ struct Middle {
 
   explicit Middle(const Bounds& bounds) {
     if (bounds.empty()) return;
-    point = (bounds.min + bounds.max) * 0.5;
-    radius = glm::length(bounds.max - bounds.min) * 0.5;
+    point = bounds.middle();
+    radius = bounds.diagonal() * 0.5;
   }
   /// To a light, which may be inside.
   double distance(const glm::dvec3& light) const { return std::max(glm::length(light - point), radius); }
@@ -80,15 +80,6 @@ double strengthOf(const Middle& middle, const ModelLight& light, const glm::dmat
   if (light.type == LightType::kDirectional) return power;
   if (light.type == LightType::kSpot) at.outer = light.outerConeAngle, at.inner = light.innerConeAngle;
   return power * attenuation(middle, at);
-}
-
-bool shines(const glm::vec3& color, double intensity) {
-  return glm::vec3(glm::dvec3(color) * intensity) != glm::vec3(0);
-}
-
-bool shines(const Light& light) {
-  return shines(light.color, light.intensity) ||
-         (light.type == Light::Type::kHemisphere && shines(light.groundColor, light.intensity));
 }
 
 /// One that costs time for each fragment that it may reach.

@@ -91,7 +91,7 @@ ShadowMap mapOf(const Light& light, bool lit, const ThreeTerms& three, const Bou
     map.views = {flatView(light)};
     map.matrix = toOrigin(clipToMap() * (map.views[0].projection * map.views[0].view), origin);
     if (map.views[0].orthographic && isFarFrom(bounds, light.position))
-      map.views[0] = movedTo(map.views[0], (bounds.min + bounds.max) * 0.5);
+      map.views[0] = movedTo(map.views[0], bounds.middle());
   }
   return map;
 }

@@ -12,14 +12,14 @@ constexpr double FAR_OUT = 1000;
 /// Whether a point of the world is so far from a model that single precision cannot hold both.
 inline bool isFarFrom(const Bounds& bounds, const glm::dvec3& point) {
   if (bounds.empty()) return false;
-  const glm::dvec3 away = glm::abs(point - (bounds.min + bounds.max) * 0.5);
-  return glm::max(away.x, glm::max(away.y, away.z)) > FAR_OUT * glm::length(bounds.max - bounds.min);
+  const glm::dvec3 away = glm::abs(point - bounds.middle());
+  return glm::max(away.x, glm::max(away.y, away.z)) > FAR_OUT * bounds.diagonal();
 }
 
 /// The origin of the world coordinates in shaders: the centre of a model that is far out, else the world's origin as in
 /// three.js.
 inline glm::dvec3 worldOrigin(const Bounds& bounds) {
-  return isFarFrom(bounds, glm::dvec3(0)) ? (bounds.min + bounds.max) * 0.5 : glm::dvec3(0);
+  return isFarFrom(bounds, glm::dvec3(0)) ? bounds.middle() : glm::dvec3(0);
 }
 
 /// A matrix to the world, counted from `origin`; without one it keeps every bit.

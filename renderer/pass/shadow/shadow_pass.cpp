@@ -4,6 +4,7 @@
 #include <string>
 
 #include "frame/variant.h"
+#include "gl/clamped_sampling.h"
 #include "gl/incomplete.h"
 #include "pass/plan/world_origin.h"
 #include "pass/visible/sliced_draw.h"
@@ -16,18 +17,7 @@ namespace {
 void setComparison(const gl::Functions& gl, GLenum target) {
   gl.TexParameteri(target, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
   gl.TexParameteri(target, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
-  gl.TexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  gl.TexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  gl.TexParameteri(target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  gl.TexParameteri(target, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-}
-
-/// As a shader looks one texel up.
-void setNearest(const gl::Functions& gl) {
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  gl::setClampedSampling(gl, target, GL_LINEAR, GL_LINEAR);
 }
 
 /// Faces of an atlas.
@@ -107,7 +97,7 @@ void ShadowPass::makePackedPlane(Target& target) const {
   const gl::Functions& gl = context_.gl();
   const glm::ivec2 size = target.kind.size * (target.kind.cube ? ATLAS : glm::ivec2(1));
   gl.TexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA8, size.x, size.y);
-  setNearest(gl);
+  gl::setClampedSampling(gl, GL_TEXTURE_2D, GL_NEAREST, GL_NEAREST);
   target.depth = gl::Renderbuffer(gl);
   gl.BindRenderbuffer(GL_RENDERBUFFER, target.depth.get());
   gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, 0, GL_DEPTH_COMPONENT24, size.x, size.y);

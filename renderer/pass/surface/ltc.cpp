@@ -1,5 +1,7 @@
 #include "pass/surface/ltc.h"
 
+#include "gl/clamped_sampling.h"
+
 namespace telar::pass {
 namespace {
 
@@ -16,11 +18,8 @@ gl::Texture tableTexture(const gl::Functions& gl, GLenum internalFormat, GLenum 
   gl.TexStorage2D(GL_TEXTURE_2D, 1, internalFormat, LTC_SIZE, LTC_SIZE);
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
   gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, LTC_SIZE, LTC_SIZE, format, GL_FLOAT, texels);
-  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
-    gl.TexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   // Nearest where a pixel spans more than a texel: three.js's choice, which shows on small round things.
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  gl::setClampedSampling(gl, GL_TEXTURE_2D, GL_NEAREST, GL_LINEAR);
   return texture;
 }
 

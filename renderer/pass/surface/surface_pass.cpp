@@ -55,7 +55,7 @@ glm::vec2 normalScaleOf(float scale, const DrawItem& item) {
 /// Sizes of a texture after which its texels come again along u and v; 0 where the last ones go on.
 glm::vec2 periodOf(const Sampler& sampler) {
   const auto along = [](std::uint32_t wrap) {
-    return wrap == GL_REPEAT ? 1.0f : wrap == GL_MIRRORED_REPEAT ? 2.0f : 0.0f;
+    return wrap == Sampler::REPEAT ? 1.0f : wrap == Sampler::MIRRORED_REPEAT ? 2.0f : 0.0f;
   };
   return {along(sampler.wrapS), along(sampler.wrapT)};
 }

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 
+#include "gl/clamped_sampling.h"
 #include "gl/incomplete.h"
 
 namespace telar::pass {
@@ -27,10 +28,7 @@ TransmissionTarget::TransmissionTarget(const gl::Context& context, const Extent&
   gl.BindTexture(GL_TEXTURE_2D, color_.get());
   gl.TexStorage2D(GL_TEXTURE_2D, static_cast<GLsizei>(std::bit_width(static_cast<unsigned>(std::max(width, height)))),
                   GL_RGBA16F, width, height);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  gl::setClampedSampling(gl, GL_TEXTURE_2D, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
   gl.BindFramebuffer(GL_FRAMEBUFFER, resolved_.get());
   gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color_.get(), 0);
   // A GPU may lack multisampled half floats.

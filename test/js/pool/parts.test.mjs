@@ -12,7 +12,7 @@ import { DEFAULTS, defaultSize, threadsOfEach, usableBytes } from '../../../js/p
 import { workerEnvironment } from '../../../js/pool/environment.mjs';
 import { HeldModels } from '../../../js/pool/held_models.mjs';
 import { Quarantine } from '../../../js/pool/quarantine.mjs';
-import { hasLongShot } from '../../../js/pool/request.mjs';
+import { hasLongShot } from '../../../js/api/long_shot.mjs';
 import { unpackPicture } from '../../../js/pool/pictures.mjs';
 import { Recipe } from '../../../js/pool/recipe.mjs';
 import { RunningJob } from '../../../js/pool/running_job.mjs';
@@ -269,12 +269,12 @@ test('workers by default: one a core, as far as the memory goes', () => {
 });
 
 test('which shots have no bound on their time', async () => {
-  const long = (...shots) => hasLongShot({ shots: shots.map((shot) => ({ shot })) });
+  const long = (...shots) => hasLongShot(shots);
   assert.equal(await long({}, { quality: 'high' }), true);
   assert.equal(await long({ quality: 'reference' }), true);
   assert.equal(await long({ quality: { samples: 64 } }), true);
   assert.equal(await long({}, { quality: 'draft' }, { quality: 'none such' }, { quality: { samples: 4 } }), false);
   for (const goal of [{ maxError: 0.02 }, { budgetMs: 100 }]) assert.equal(await long({ quality: goal }), true);
   assert.equal(await long({ quality: null }, { look: 'none such' }), false);
-  assert.equal(await hasLongShot({}), false);
+  assert.equal(await hasLongShot([]), false);
 });

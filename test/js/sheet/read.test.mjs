@@ -82,6 +82,7 @@ const WRONG = [
     '/colourways/0/variant',
     'spec.colourways[0].variant: there is no material variant "red"; there are "navy", "ecru"',
   ],
+  [{ bill: [{ item: 'a', colours: { 'No.1': 'x' } }] }, '/bill/0/colours/No.1', 'spec.bill[0].colours["No.1"]: there is no colourway "No.1"; there is none'],
   [{ bill: [{ item: 'a', colours: { Navy: 'x' } }] }, '/bill/0/colours/Navy', 'spec.bill[0].colours.Navy: there is no colourway "Navy"; there is none'],
   [{ language: 'qq' }, '/language', 'spec.language: expected "en", "es", or another with its headings in spec.words, got "qq"'],
   [{ words: { nothing: 'x' } }, '/words', 'spec.words: there is no heading "nothing"; js/sheet/strings/en.json lists them'],

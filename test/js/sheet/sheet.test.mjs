@@ -204,6 +204,10 @@ test('a call-out outside of its view, a part that is not there, an image that is
   await refused({ header: { logo: 'x.png' } }, 'E_SPEC', '/header/logo');
   await refused({ header: { logo: 'x.png' } }, 'E_SPEC', '/header/logo', { resolve: () => null });
   await refused({ header: { logo: 'x.png' } }, 'E_IMAGE_FORMAT', '/header/logo', { resolve: () => new Uint8Array(50) });
+  await assert.rejects(sheet({ bill: [{ item: 'yarn', image: 'x.png' }] }), {
+    pointer: '/bill/0/image',
+    message: 'spec.bill[0].image: there is no image "x.png"; give the option resolve',
+  });
   await refused({ notes: '袖' }, 'E_SPEC', '/notes');
   await refused({ measures: [{ code: 'A', description: 'a', border: true, part: { node: 'sleeve' } }] }, 'E_MEASURE', '/measures/0');
   await assert.rejects(sheet({}, { template: 'x' }), { code: 'E_OPTION' });
