@@ -16,7 +16,7 @@ import { materialIndexOf } from './variant.mjs';
 export function measurePart(model, frame, { THREE, variant, ghost }) {
   const [[kind, which]] = Object.entries(frame);
   const partsOf = kind === 'node' ? nodesOf : materialsOf;
-  const isMeant = (part) => (typeof which === 'number' ? part.index === which : part.name === which);
+  const isMeant = (part) => (typeof which === 'number' ? part.index === which : (part.name ?? '') === which); // the server knows no name as the empty one
   const outline = new Outline();
   const box = new THREE.Box3();
   const drawn = [];

@@ -49,6 +49,16 @@ for (const [frame, more, [low, high]] of PARTS) {
   });
 }
 
+test('the empty name is that of the nodes without one, on both sides', async () => {
+  const nameless = await MODELS.boxes();
+  const shot = framing({ node: '' });
+  const here = await renderer.factsOf(await renderer.load(nameless), shot);
+  const model = await new GLTFLoader().parseAsync(nameless.buffer.slice(nameless.byteOffset, nameless.byteOffset + nameless.length), '');
+  const there = factsOf(model, { THREE, frame: shot.camera.frame });
+  assert.ok(here.part.found && there.part.found);
+  assert.ok(far(here.part.bounds.min, there.part.bounds.min) < 1e-6 && far(here.part.bounds.max, there.part.bounds.max) < 1e-6);
+});
+
 test('a variant changes what a material is drawn on', async () => {
   const [plain] = await factsOn(framing({ material: 'Lining' }));
   const [winter] = await factsOn(framing({ material: 'Lining' }, { variant: 'winter' }));
