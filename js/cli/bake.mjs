@@ -4,6 +4,7 @@ import { shown } from '../shot/complain.mjs';
 import { removeUnfinished, writeFileAtomically } from '../api/atomic_file.mjs';
 import { maxFileBytes, readLimits, readTimeout } from './limits.mjs';
 import { checkModel } from './models.mjs';
+import { refuseOverwriting } from './overwritten.mjs';
 import { readAll } from './streams.mjs';
 
 const usage = (message) => new TelarError('E_USAGE', message);
@@ -22,6 +23,7 @@ export async function bake(given, options, { api, console, stdin, signal }) {
   if (rays !== undefined && !/^\d{1,9}$/.test(rays)) throw usage(`--rays: expected a whole number, got ${shown(rays)}`);
   const { model } = await checkModel(given);
   const limits = readLimits(options.limit);
+  await refuseOverwriting({ models: [model], outputs: [{ file: output, what: '-o' }], maxBytes: maxFileBytes(limits) });
   const source = model === '-' ? await readAll(stdin, maxFileBytes(limits), signal) : model;
   const { data, info } = await api.bake(source, {
     ...(rays !== undefined && { rays: Number(rays) }),

@@ -7,6 +7,7 @@ import { shown } from '../shot/complain.mjs';
 import { writeFileAtomically } from '../api/atomic_file.mjs';
 import { maxFileBytes, readLimits, readTimeout } from './limits.mjs';
 import { checkModel } from './models.mjs';
+import { environmentOf, refuseOverwriting } from './overwritten.mjs';
 import { readShotOptions } from './shot_options.mjs';
 import { readAll } from './streams.mjs';
 
@@ -24,6 +25,12 @@ export async function view(given, options, context) {
   const { model } = await checkModel(given);
   const shot = await readShotOptions(options, context);
   const limits = readLimits(options.limit);
+  await refuseOverwriting({
+    inputs: [{ file: options.shot, what: 'the shot' }, environmentOf(shot)],
+    models: [model],
+    outputs: [{ file: options.spec, what: '--spec' }],
+    maxBytes: maxFileBytes(limits),
+  });
   const source = model === '-' ? await readAll(stdin, maxFileBytes(limits), signal) : model;
   const { openView } = await import('../view/index.mjs');
   const renderer = await api.createRenderer({ backend: options.backend, limits, failOn: options.failOn, timeoutMs: readTimeout(options.timeoutMs), signal });
