@@ -31,6 +31,14 @@ after(async () => {
 
 const json = (body) => fetch(at(url, THUMBNAILS), { method: 'POST', body, headers: { 'content-type': 'application/json' } });
 
+/** A form with one part, whose head is as it is written here. */
+const rawForm = (head) =>
+  fetch(at(url, THUMBNAILS), {
+    method: 'POST',
+    body: `--b\r\n${head}\r\n\r\nx\r\n--b--\r\n`,
+    headers: { 'content-type': 'multipart/form-data; boundary=b' },
+  });
+
 const REFUSED = {
   'no model': [() => postForm(url, THUMBNAILS, { shot: SHOT }), 400, 'E_REQUEST', 'request.model: expected a file of the request or a reference, got none'],
   'a model twice': [
@@ -91,6 +99,13 @@ const REFUSED = {
     400,
     'E_REQUEST',
     /^the form is malformed: /,
+  ],
+  'a text of a form without a name': [() => rawForm('content-disposition: form-data'), 400, 'E_REQUEST', 'the form is malformed: a part of it has no name'],
+  'a file of a form without a name': [
+    () => rawForm('content-disposition: form-data; filename="m.glb"'),
+    400,
+    'E_REQUEST',
+    'the form is malformed: a part of it has no name',
   ],
   'another type': [
     () => post(url, THUMBNAILS, 'x', {}, { 'content-type': 'text/html' }),
