@@ -117,6 +117,13 @@ const REFUSED = {
   'an empty model': [() => post(url, THUMBNAILS, '', { shot: SHOT }), 422, 'E_EMPTY', undefined],
   'an archive': [() => post(url, THUMBNAILS, 'PK\x03\x04', { shot: SHOT }), 422, 'E_NOT_GLTF', undefined],
   'another route': [() => fetch(at(url, '/v1/thumbnail')), 404, 'E_NOT_FOUND', undefined],
+  'an address that is none': [() => fetch(at(url, '/v1/jobs/%zz')), 400, 'E_REQUEST', /^the address is malformed: a % in it/],
+  'a name that is longer than any': [
+    () => fetch(at(url, `/v1/jobs/${'a'.repeat(200)}`)),
+    404,
+    'E_NOT_FOUND',
+    'nothing has a name as long as one in the address',
+  ],
   'another method': [() => fetch(at(url, '/v1/sheets')), 405, 'E_METHOD', 'this route takes POST'],
   'a picture to compare with': [
     () => postForm(url, '/v1/compare', { expected: Buffer.from('x') }),
@@ -181,6 +188,23 @@ test('an id of the caller that is none is not taken over', async () => {
     const response = await fetch(at(url, '/healthz'), { headers: { 'x-request-id': id } });
     assert.match(response.headers.get('x-request-id'), /^req-[0-9a-z]+$/);
   }
+});
+
+test('an address that leads nowhere is logged and counted as others are', async () => {
+  const counted = async () => {
+    const text = await (await fetch(at(url, '/metrics'))).text();
+    return Number(/^telar_requests_total\{route="none",status="400",code="E_REQUEST"\} (\d+)$/m.exec(text)?.[1] ?? 0);
+  };
+  const before = await counted();
+  const response = await fetch(at(url, '/v1/errors/%zz'), { headers: { 'x-request-id': 'mine-3' } });
+  assert.deepEqual([response.status, response.headers.get('x-request-id'), (await response.json()).instance], [400, 'mine-3', 'mine-3']);
+  assert.equal(response.headers.get('x-content-type-options'), 'nosniff');
+  assert.equal(await counted(), before + 1);
+  const lines = log.lines.filter(({ request }) => request === 'mine-3').map(({ msg, code, route }) => [msg, code, route]);
+  assert.deepEqual(lines, [
+    ['refused', 'E_REQUEST', 'none'],
+    ['answered', 'E_REQUEST', 'none'],
+  ]);
 });
 
 test('the log has one line an answer: no address, no header, no folder', async () => {
