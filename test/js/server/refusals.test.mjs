@@ -76,13 +76,37 @@ const REFUSED = {
     'request.failOn: expected "error", "warning" or "none", got "never"',
   ],
   'a body that is no JSON': [() => json('{'), 400, 'E_REQUEST', /^the body is not JSON: /],
-  'a value of the shot': [() => post(url, THUMBNAILS, glb, { shot: { exposure: -1 } }), 400, 'E_SHOT', 'shot.exposure: expected a number in [0, 1e30], got -1'],
+  'a value of the shot': [
+    () => post(url, THUMBNAILS, glb, { shot: { ...SHOT, exposure: -1 } }),
+    400,
+    'E_SHOT',
+    'shot.exposure: expected a number in [0, 1e30], got -1',
+  ],
   'too many pixels': [
     () => post(url, THUMBNAILS, glb, { shot: { size: { width: 257, height: 1 } } }),
     413,
     'L_OUTPUT_SIZE',
     'shot.size.width: this service draws at most 256 pixels a side, got 257',
   ],
+  'too many pixels where the shot names none': [
+    () => post(url, THUMBNAILS, glb, { shot: {} }),
+    413,
+    'L_OUTPUT_SIZE',
+    'shot.size.width: this service draws at most 256 pixels a side, got 512',
+  ],
+  'a height that is left out': [() => post(url, THUMBNAILS, glb, { shot: { size: { width: 9 } } }), 413, 'L_OUTPUT_SIZE', /^shot\.size\.height: /],
+  'a size that is none': [() => post(url, THUMBNAILS, glb, { shot: { size: '9' } }), 400, 'E_SHOT', /^shot\.size: expected /],
+  ...Object.fromEntries(
+    ['"1e5"', '1e400', '9007199254740992', '8193', '300.5'].map((width) => [
+      `a width of ${width}`,
+      [
+        () => post(url, THUMBNAILS, glb, { shot: `{"size":{"width":${width},"height":1}}` }),
+        400,
+        'E_SHOT',
+        /^shot\.size\.width: expected a whole number of pixels in \[1, 8192\], got /,
+      ],
+    ]),
+  ),
   'a form that is none': [
     () => fetch(at(url, THUMBNAILS), { method: 'POST', body: 'x', headers: { 'content-type': 'multipart/form-data' } }),
     400,
