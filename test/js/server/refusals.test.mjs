@@ -69,6 +69,18 @@ const REFUSED = {
     /^request\.shot\.ghost: a sheet does not take it; /,
   ],
   'a key of the prototype': [() => json('{"__proto__":{"shot":{}}}'), 400, 'E_REQUEST', /^request\.__proto__: unknown key/],
+  'a threshold by the name of the prototype': [
+    () => postForm(url, '/v1/compare', { expected: Buffer.from('x'), actual: Buffer.from('y'), thresholds: '{"__proto__":0}' }),
+    400,
+    'E_REQUEST',
+    'request.thresholds.__proto__: expected another name, got 0',
+  ],
+  'a cloth by the name of the prototype': [
+    () => post(url, THUMBNAILS, glb, { shot: '{"size":{"width":9,"height":9},"materials":{"__proto__":{"preset":"denim"}}}' }),
+    400,
+    'E_SHOT',
+    'shot.materials.__proto__: expected another name, got {"preset"}',
+  ],
   'a wrong choice': [
     () => post(url, THUMBNAILS, glb, { failOn: 'never' }),
     400,
