@@ -1,8 +1,10 @@
 import assert from 'node:assert/strict';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { request as httpRequest } from 'node:http';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
+import { gzipSync } from 'node:zlib';
 import { ERRORS } from '../../../js/error/index.mjs';
 import { GLB, MODELS, SHOT, at, logLines, openPool, post, postForm, problemOf, serve } from './support.mjs';
 
@@ -161,6 +163,25 @@ const REFUSED = {
     'nothing has a name as long as one in the address',
   ],
   'another method': [() => fetch(at(url, '/v1/sheets')), 405, 'E_METHOD', 'this route takes POST'],
+  'a question for the methods of a route': [() => fetch(at(url, THUMBNAILS), { method: 'OPTIONS' }), 405, 'E_METHOD', 'this route takes GET and POST'],
+  'a body that is packed': [
+    () => post(url, THUMBNAILS, gzipSync(glb), { shot: SHOT }, { 'content-encoding': 'gzip' }),
+    415,
+    'E_MEDIA_TYPE',
+    'the body has the content-encoding "gzip"; this route takes bodies without one',
+  ],
+  'a form that is packed': [
+    () => postForm(url, '/v1/compare', { gate: 'exact' }, { 'content-encoding': 'br, identity' }),
+    415,
+    'E_MEDIA_TYPE',
+    /^the body has the content-encoding "br, identity"/,
+  ],
+  'a key in the address and in the body': [
+    () => fetch(at(url, THUMBNAILS, { failOn: 'none' }), { method: 'POST', body: '{"failOn":"error"}', headers: { 'content-type': 'application/json' } }),
+    400,
+    'E_REQUEST',
+    'request.failOn: it is given twice',
+  ],
   'a picture to compare with': [
     () => postForm(url, '/v1/compare', { expected: Buffer.from('x') }),
     400,
@@ -183,6 +204,25 @@ for (const [name, [ask, status, code, message]] of Object.entries(REFUSED)) {
     assert.equal(response.headers.get('x-request-id'), problem.instance);
   });
 }
+
+test('a method that a route does not take is told with those that it takes', async () => {
+  for (const [route, allowed] of [
+    [THUMBNAILS, 'GET, POST'],
+    ['/v1/jobs/1', 'GET, DELETE'],
+    ['/healthz', 'GET'],
+  ]) {
+    for (const method of ['OPTIONS', 'TRACE', 'PUT']) {
+      // fetch() sends no TRACE.
+      const answer = await new Promise((resolve, reject) => httpRequest(at(url, route), { method }, resolve).on('error', reject).end());
+      answer.resume();
+      assert.deepEqual([answer.statusCode, answer.headers.allow], [405, allowed], `${method} ${route}`);
+    }
+  }
+});
+
+test('a body whose coding is none is taken', async () => {
+  assert.equal((await post(url, THUMBNAILS, glb, { shot: SHOT }, { 'content-encoding': 'identity' })).status, 200);
+});
 
 test('each type of problem has a page of its own', async () => {
   const [, { type }] = [0, await (await fetch(at(url, '/nowhere'))).json()];
