@@ -2,8 +2,9 @@ import path from 'node:path';
 import { TelarError } from '../error/index.mjs';
 import { shown } from '../shot/complain.mjs';
 import { removeUnfinished, writeFileAtomically } from '../api/atomic_file.mjs';
-import { readLimits, readTimeout } from './limits.mjs';
+import { maxFileBytes, readLimits, readTimeout } from './limits.mjs';
 import { checkModel, readModel } from './models.mjs';
+import { refuseOverwriting } from './overwritten.mjs';
 
 const usage = (message) => new TelarError('E_USAGE', message);
 
@@ -21,6 +22,7 @@ export async function bake(given, options, { api, console, stdin, signal }) {
   if (rays !== undefined && !/^\d{1,9}$/.test(rays)) throw usage(`--rays: expected a whole number, got ${shown(rays)}`);
   const { model } = await checkModel(given);
   const limits = readLimits(options.limit);
+  await refuseOverwriting({ models: [model], outputs: [{ file: output, what: '-o' }], maxBytes: maxFileBytes(limits) });
   const source = await readModel(model, limits, { stdin, signal });
   const { data, info } = await api.bake(source, {
     ...(rays !== undefined && { rays: Number(rays) }),

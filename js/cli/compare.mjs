@@ -6,10 +6,12 @@ import { EXIT_OVER_THE_GATE } from '../error/table.mjs';
 import { TelarError } from '../error/index.mjs';
 import { differingKeys, openShotOf, shotText } from './drawn_shot.mjs';
 import { removeUnfinished, writeFileAtomically } from '../api/atomic_file.mjs';
-import { maskReader, readThresholds } from './compare_options.mjs';
+import { maskFiles, maskReader, readThresholds } from './compare_options.mjs';
 import { atOneSize, comparePair, readPicture } from './compare_pair.mjs';
-import { readLimits } from './limits.mjs';
+import { maxFileBytes, readLimits } from './limits.mjs';
+import { environmentOf, refuseOverwriting } from './overwritten.mjs';
 import { releaseHints } from './release_hint.mjs';
+import { withPathsFrom } from './shot_options.mjs';
 
 /**
  * telar compare EXPECTED [ACTUAL]
@@ -65,8 +67,10 @@ function refuseHalves(kinds, names, { model }) {
 }
 
 /** --update where EXPECTED is not there: ACTUAL must be an image, and becomes it. There is nothing to compare, and no heat map. */
-async function acceptNew({ expected, actual }, { report, junit }, context) {
+async function acceptNew({ expected, actual }, options, context) {
+  const { report, junit } = options;
   const { signal, console, settings } = context;
+  await refuseOver({ expected, actual }, options, context);
   const { bytes, image, shot } = await readPicture(actual, context);
   await writeFileAtomically(expected, bytes, signal);
   const accepted = { name: path.basename(expected), status: 'updated', files: { actual: 'actual.png' } };
@@ -81,10 +85,34 @@ async function acceptNew({ expected, actual }, { report, junit }, context) {
   return 0;
 }
 
+/** Pictures, and what else is read, are not what is written. EXPECTED is both where it is accepted. @throws {TelarError} E_USAGE */
+async function refuseOver({ expected, actual }, options, { limits }, shot = {}) {
+  const { model, environment, heatmap, report, junit } = options;
+  const pages = report ? ['expected.png', 'actual.png', 'heatmap.png', 'index.html'].map((name) => path.join(report, name)) : [];
+  // One map of one comparison, wherever it is written.
+  const isTwice = heatmap !== undefined && pages.some((page) => path.resolve(page) === path.resolve(heatmap) && path.basename(page) === 'heatmap.png');
+  await refuseOverwriting({
+    inputs: [
+      { file: expected, what: 'EXPECTED' },
+      { file: actual, what: 'ACTUAL' },
+      ...maskFiles(options),
+      ...(model === undefined ? [] : [environment === undefined ? environmentOf(shot) : { file: environment, what: 'the environment' }]),
+    ],
+    models: model === undefined ? [] : [model],
+    outputs: [
+      { file: isTwice ? undefined : heatmap, what: '--heatmap' },
+      ...pages.map((file) => ({ file, what: '--report' })),
+      { file: junit, what: '--junit' },
+    ],
+    maxBytes: maxFileBytes(limits),
+  });
+}
+
 const acceptedLine = ({ expected, actual }) => `accepted: ${expected} is now ${actual}`;
 
 async function compareFiles({ expected, actual }, options, context) {
   const first = await readPicture(expected, context);
+  await refuseOver({ expected, actual }, options, context, first.shot ? withPathsFrom(path.dirname(expected), first.shot) : {});
   const drawn = actual ? undefined : await openShotOf(expected, first.shot, options, context);
   try {
     return await compareWith({ expected, actual, first, drawn }, options, context);

@@ -6,7 +6,10 @@ import { EXIT_OVER_THE_GATE } from '../error/table.mjs';
 import { TelarError, toTelarError, worstExit } from '../error/index.mjs';
 import { shown } from '../shot/complain.mjs';
 import { writeFileAtomically } from '../api/atomic_file.mjs';
+import { maskFiles } from './compare_options.mjs';
 import { comparePair, readPicture } from './compare_pair.mjs';
+import { maxFileBytes } from './limits.mjs';
+import { refuseOverwriting } from './overwritten.mjs';
 
 /** `telar compare` of two folders: images of one name are compared. */
 
@@ -113,12 +116,31 @@ class FolderComparison {
     const files = {};
     for (const [kind, image] of Object.entries(pictures)) {
       if (!image) continue;
-      const parts = ['pictures', ...name.split(path.sep), `${kind}.png`];
+      const parts = partsOf(name, kind);
       files[kind] = parts.map(encodeURIComponent).join('/');
       await writeFileAtomically(path.join(report, ...parts), await encodePng(image, { signal }), signal);
     }
     return files;
   }
+}
+
+/** Where a picture lies in the report. */
+const partsOf = (name, kind) => ['pictures', ...name.split(path.sep), `${kind}.png`];
+
+/** What is read is not what is written. @throws {TelarError} E_USAGE */
+async function refuseOver(names, { expected, actual }, options, { limits }) {
+  const { report, junit } = options;
+  const pictures = names.flatMap((name) => ['expected', 'actual', 'heatMap'].map((kind) => partsOf(name, kind)));
+  const pages = report === undefined ? [] : [['index.html'], ...pictures].map((parts) => path.join(report, ...parts));
+  await refuseOverwriting({
+    inputs: [
+      ...names.map((name) => ({ file: path.join(expected, name), what: 'EXPECTED' })),
+      ...names.map((name) => ({ file: path.join(actual, name), what: 'ACTUAL' })),
+      ...maskFiles(options, names),
+    ],
+    outputs: [...pages.map((file) => ({ file, what: '--report' })), { file: junit, what: '--junit' }],
+    maxBytes: maxFileBytes(limits),
+  });
 }
 
 const isGood = ({ status }) => status === 'within' || status === 'updated';
@@ -140,6 +162,7 @@ export async function compareFolders(folders, options, context) {
   const [expected, actual] = [new Set(context.isNew ? [] : await imagesIn(folders.expected)), new Set(await imagesIn(folders.actual))];
   const names = [...new Set([...expected, ...actual])].sort();
   if (names.length === 0) throw new TelarError('E_USAGE', `${shown(folders.expected)} and ${shown(folders.actual)} hold no PNG, JPEG or WebP`);
+  await refuseOver(names, folders, options, context);
   const work = new FolderComparison(folders, options, context);
   const progress = await console.progress(names.length);
   const pictures = [];

@@ -38,6 +38,17 @@ export function readThresholds(assignments = []) {
 
 const AREA = /^(\d+),(\d+),(\d+),(\d+)$/;
 
+/**
+ * Every file that --mask and --ignore may mean.
+ * @param {{mask?: string, ignore?: string[]}} options
+ * @param {string[]} [names] of pictures, where two folders are compared
+ * @returns {import('./overwritten.mjs').Named[]}
+ */
+export function maskFiles({ mask, ignore = [] }, names = []) {
+  const given = [{ file: mask, what: 'the mask' }, ...ignore.filter((text) => !AREA.test(text)).map((file) => ({ file, what: 'what --ignore names,' }))];
+  return given.filter(({ file }) => file !== undefined).flatMap((one) => [one, ...names.map((name) => ({ ...one, file: path.join(one.file, name) }))]);
+}
+
 /** Where a mask of a picture lies: itself a file for all, or a folder with one of the same name. */
 async function maskFile(option, given, name) {
   const found = await stat(given).catch((cause) => {

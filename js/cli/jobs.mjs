@@ -13,6 +13,7 @@ import { variantNames } from './variants.mjs';
  * @property {string} folder of the model beneath the one that was given; empty where none was
  * @property {string} [where] line of the manifest
  * @property {string} [output] name that the manifest gives
+ * @property {string} [shotFile] path of the shot that the manifest names
  * @property {object} shot not resolved
  * @property {string} view, variant for names
  */

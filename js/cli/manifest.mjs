@@ -71,7 +71,7 @@ class ShotFiles {
 /**
  * @param {string} file path, or - for stdin; relative paths in it start at its folder, those of stdin at the current one
  * @param {{stdin: import('node:stream').Readable, signal?: AbortSignal}} io
- * @returns {Promise<Array<{where: string, model: string, folder: string, shot: object, output?: string}>>} where: for messages
+ * @returns {Promise<Array<{where: string, model: string, folder: string, shot: object, shotFile?: string, output?: string}>>} where: for messages
  * @throws {TelarError} E_USAGE with the line's number, E_FILE
  */
 export async function readManifest(file, io) {
@@ -89,6 +89,7 @@ export async function readManifest(file, io) {
       where,
       folder: '',
       model: await inFolder(base, model, where),
+      ...(typeof shot === 'string' && { shotFile: path.join(base, shot) }),
       shot: typeof shot === 'string' ? await shots.read(path.join(base, shot), where) : withPathsFrom(base, shot),
       ...(output !== undefined && { output: path.isAbsolute(output) ? output : path.join(base, output) }),
     });

@@ -1,10 +1,8 @@
 import { realpath, stat } from 'node:fs/promises';
 import path from 'node:path';
-import { TelarError } from '../error/index.mjs';
-import { shown } from '../shot/complain.mjs';
 import { modelFiles } from '../view/model_files.mjs';
 
-/** External parts of models: what a picture must not be written over. */
+/** External parts of models: what nothing must be written over. */
 
 const beneath = (folder, file) => file.startsWith(folder.endsWith(path.sep) ? folder : folder + path.sep);
 
@@ -24,22 +22,20 @@ async function filesOf(model, maxBytes) {
 }
 
 /**
- * @param {import('./jobs.mjs').Job[]} jobs
- * @param {string[]} files all that is to be written: pictures, their layers, a contact sheet
+ * @param {string[]} models paths, or - for stdin
+ * @param {Set<string>} written real paths of files that are there and are to be written over
  * @param {number} maxBytes of a model
- * @throws {TelarError} E_USAGE where one would be written over a model, or over a buffer or a texture of one
+ * @returns {Promise<{model: string, part: string, isModel: boolean} | undefined>} a part that would be written over, or a model itself: its real path
  */
-export async function refuseParts(jobs, files, maxBytes) {
-  // A file is written where its links lead. What is not there yet is no part of a model.
-  const written = new Set((await Promise.all(files.filter((file) => file !== '-').map(realFile))).filter(Boolean));
-  if (written.size === 0) return;
-  for (const model of new Set(jobs.filter(({ model }) => model !== '-').map(({ model }) => model))) {
+export async function partOver(models, written, maxBytes) {
+  if (written.size === 0) return undefined;
+  for (const model of new Set(models.filter((name) => name !== '-'))) {
     const [folder, own] = await Promise.all([realFile(path.dirname(model)), realFile(model)]);
+    if (own !== undefined && written.has(own) && (await stat(own)).isFile()) return { model, part: own, isModel: true };
     // Parts lie beneath their model: most models need not be read.
-    if (folder === undefined || ![...written].some((file) => beneath(folder, file) || file === own)) continue;
+    if (folder === undefined || ![...written].some((file) => beneath(folder, file))) continue;
     const part = (await filesOf(model, maxBytes)).find((file) => written.has(file));
-    if (part === undefined) continue;
-    if (part === own) throw new TelarError('E_USAGE', `-o would overwrite the model ${shown(model)}`);
-    throw new TelarError('E_USAGE', `${shown(path.basename(part))} would be overwritten, a part of the model ${shown(model)}: name another folder`);
+    if (part !== undefined) return { model, part, isModel: false };
   }
+  return undefined;
 }

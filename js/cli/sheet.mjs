@@ -1,12 +1,13 @@
-import { readFile } from 'node:fs/promises';
+import { readdir, readFile } from 'node:fs/promises';
 import path from 'node:path';
 import { TelarError } from '../error/index.mjs';
 import { shown } from '../shot/complain.mjs';
 import { createSheet, firstSpec } from '../sheet/index.mjs';
 import { checkShared } from '../sheet/shared_shot.mjs';
 import { removeUnfinished, writeFileAtomically } from '../api/atomic_file.mjs';
-import { readLimits, readTimeout } from './limits.mjs';
+import { maxFileBytes, readLimits, readTimeout } from './limits.mjs';
 import { checkModel, readModel } from './models.mjs';
+import { environmentOf, refuseOverwriting } from './overwritten.mjs';
 import { readShotOptions } from './shot_options.mjs';
 import { readAll } from './streams.mjs';
 
@@ -36,6 +37,12 @@ export async function sheet(given, options, context) {
   const [givenSpec, previous] = [await readSpecFile('--spec', options.spec, context), await readSpecFile('--previous', options.previous, context)];
   const fonts = await Promise.all((options.font ?? []).map((file) => readBytes('--font', file)));
   const templates = templatesOf(options.template);
+  await refuseOverwriting({
+    inputs: [...inputsOf(options), environmentOf(shot), ...imagesOf(givenSpec, options.spec)],
+    models: [model],
+    outputs: await writtenBy(options.output),
+    maxBytes: maxFileBytes(limits),
+  });
   const source = await readModel(model, limits, context);
   const renderer = await context.api.createRenderer({ backend: options.backend, limits, failOn: options.failOn, timeoutMs, signal: context.signal });
   try {
@@ -98,9 +105,35 @@ async function readSpecFile(option, file, { stdin, signal }) {
   }
 }
 
+const inputsOf = ({ spec, previous, shot, font = [] }) => [
+  { file: spec, what: 'the spec' },
+  { file: previous, what: 'the spec of the last revision' },
+  { file: shot, what: 'the shot' },
+  ...font.map((file) => ({ file, what: 'the font' })),
+];
+
+/** Images that a spec names. It is not checked yet. */
+function imagesOf(spec, specFile) {
+  const rows = ['bill', 'labels', 'artwork'].flatMap((list) => (Array.isArray(spec?.[list]) ? spec[list] : []));
+  const names = [spec?.header?.logo, ...rows.map((row) => row?.image)].filter((name) => typeof name === 'string');
+  return names.map((name) => ({ file: path.resolve(folderOf(specFile), name), what: 'an image of the spec' }));
+}
+
+/** The file of -o, and what numbered pages would take the place of: how many pages there are is known when the sheet is laid out. */
+async function writtenBy(output) {
+  const { dir, name, ext } = path.parse(output);
+  const isNumbered = ['svg', 'png'].includes(ENDINGS[ext.toLowerCase()]);
+  const beside = isNumbered ? await readdir(dir || '.').catch(() => []) : [];
+  const isPage = (file) => file.startsWith(`${name}-`) && file.endsWith(ext) && /^[1-9]\d*$/.test(file.slice(name.length + 1, file.length - ext.length));
+  return [output, ...beside.filter(isPage).map((file) => path.join(dir, file))].map((file) => ({ file, what: '-o' }));
+}
+
+/** Where a spec's images begin. */
+const folderOf = (spec) => path.resolve(spec === undefined || spec === '-' ? '.' : path.dirname(spec));
+
 /** Images lie beside the spec or beneath its folder. */
 async function readBeside(spec, image) {
-  const folder = path.resolve(spec === undefined || spec === '-' ? '.' : path.dirname(spec));
+  const folder = folderOf(spec);
   const file = path.resolve(folder, image);
   if (path.relative(folder, file).startsWith('..')) throw new TelarError('E_URI_DENIED', `the image ${shown(image)} leads out of the folder of the spec`);
   return readFile(file).catch(() => null);

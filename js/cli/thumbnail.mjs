@@ -10,10 +10,10 @@ import { faultyFile } from './faulty_file.mjs';
 import { makeJobs } from './jobs.mjs';
 import { maxFileBytes, readLimits, readTimeout, readWorkers } from './limits.mjs';
 import { readManifest } from './manifest.mjs';
-import { refuseParts } from './model_parts.mjs';
 import { checkLayerFiles, layerFiles } from './layer_files.mjs';
 import { findModels, readModel } from './models.mjs';
 import { outputNames } from './output_names.mjs';
+import { environmentOf, refuseOverwriting } from './overwritten.mjs';
 import { readShotOptions } from './shot_options.mjs';
 import { KnownPictures } from './unchanged.mjs';
 
@@ -59,15 +59,15 @@ async function planned(models, options, limits, context) {
   const shot = await readShotOptions(options, context);
   const entries = await readEntries(models, options, shot, limits, context);
   const { jobs, crosses } = await makeJobs(entries, options, maxFileBytes(limits));
+  const read = { inputs: inputsOf(jobs, options), models: jobs.map(({ model }) => model), maxBytes: maxFileBytes(limits) };
   if (isAnimation(options)) {
-    await refuseParts(jobs, [options.output], maxFileBytes(limits));
+    await refuseOverwriting({ ...read, outputs: [{ file: options.output, what: '-o' }] });
     return { jobs };
   }
   const outputs = outputNames(options.output, jobs, crosses);
-  const layers = jobs.flatMap(({ shot }, i) => Object.values(layerFiles(outputs[i].file, shot)));
-  await refuseParts(jobs, [outputs.map(({ file }) => file), layers, options.contactSheet ?? []].flat(), maxFileBytes(limits));
   checkLayerFiles(jobs, outputs);
-  await checkSheet(options.contactSheet, jobs, outputs);
+  checkSheet(options.contactSheet, jobs, outputs);
+  await refuseOverwriting({ ...read, outputs: writtenBy(jobs, outputs, options) });
   jobs.forEach((job, i) => {
     if (job.shot.output === undefined || typeof job.shot.output === 'object')
       job.shot = { ...job.shot, output: { ...job.shot.output, format: outputs[i].format } };
@@ -75,6 +75,20 @@ async function planned(models, options, limits, context) {
   await Promise.all([...new Set(outputs.filter(({ file }) => file !== '-').map(({ file }) => path.dirname(file)))].map(sweepStale));
   return { entries, jobs, outputs };
 }
+
+/** What is read beside the models. */
+const inputsOf = (jobs, { shot, manifest }) => [
+  { file: shot, what: 'the shot' },
+  { file: manifest, what: 'the manifest' },
+  ...jobs.flatMap((job) => [{ file: job.shotFile, what: 'the shot' }, environmentOf(job.shot)]),
+];
+
+/** Every file that is written: pictures, their layers, a contact sheet. */
+const writtenBy = (jobs, outputs, { contactSheet }) => [
+  ...outputs.map(({ file }, i) => ({ file, what: jobs[i].output === undefined ? '-o' : `${jobs[i].where}: output` })),
+  ...jobs.flatMap(({ shot }, i) => Object.entries(layerFiles(outputs[i].file, shot)).map(([layer, file]) => ({ file, what: `the layer ${layer}` }))),
+  { file: contactSheet, what: '--contact-sheet' },
+];
 
 const anyOf = (...signals) => AbortSignal.any(signals.filter(Boolean));
 
@@ -121,7 +135,7 @@ async function readEntries(models, options, shot, limits, context) {
   );
 }
 
-async function checkSheet(sheet, jobs, outputs) {
+function checkSheet(sheet, jobs, outputs) {
   if (sheet === undefined) return;
   const usage = (message) => new TelarError('E_USAGE', `--contact-sheet ${shown(sheet)}: ${message}`);
   if (path.extname(sheet).toLowerCase() !== '.png') throw usage('expected a name that ends in .png');

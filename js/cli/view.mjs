@@ -5,8 +5,9 @@ import path from 'node:path';
 import { TelarError } from '../error/index.mjs';
 import { shown } from '../shot/complain.mjs';
 import { writeFileAtomically } from '../api/atomic_file.mjs';
-import { readLimits, readTimeout } from './limits.mjs';
+import { maxFileBytes, readLimits, readTimeout } from './limits.mjs';
 import { checkModel, readModel } from './models.mjs';
+import { environmentOf, refuseOverwriting } from './overwritten.mjs';
 import { readShotOptions } from './shot_options.mjs';
 
 /**
@@ -23,6 +24,12 @@ export async function view(given, options, context) {
   const { model } = await checkModel(given);
   const shot = await readShotOptions(options, context);
   const limits = readLimits(options.limit);
+  await refuseOverwriting({
+    inputs: [{ file: options.shot, what: 'the shot' }, environmentOf(shot)],
+    models: [model],
+    outputs: [{ file: options.spec, what: '--spec' }],
+    maxBytes: maxFileBytes(limits),
+  });
   const source = await readModel(model, limits, context);
   const { openView } = await import('../view/index.mjs');
   const renderer = await api.createRenderer({ backend: options.backend, limits, failOn: options.failOn, timeoutMs: readTimeout(options.timeoutMs), signal });

@@ -2,6 +2,7 @@ import { TelarError } from '../error/index.mjs';
 import { isObject, wrongOption } from '../api/option_check.mjs';
 import { keyOf } from './key.mjs';
 import { perform } from './perform.mjs';
+import { checkStored } from './picture_size.mjs';
 import { ResultStore, storeOption } from './result_store.mjs';
 import { STORE } from './table.mjs';
 
@@ -44,6 +45,7 @@ export function startWorker(queue, options = {}) {
     const key = store && (await keyOf(task));
     const kept = key && (await store.get(key, how.signal));
     onStart();
+    if (kept) checkStored(task, kept);
     if (kept) return kept;
     const result = await draw(task, how);
     // By the key that was found here: a process that draws and was taken over names no other picture's.

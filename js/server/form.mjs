@@ -10,6 +10,8 @@ const MOST = { fields: 64, files: 320, fieldNameSize: 100, headerPairs: 32 };
 /** Bytes of one text: a shot, a spec. */
 const TEXT_BYTES = 2 ** 20;
 
+const NAMELESS = 'a part of it has no name';
+
 const malformed = (message) => new TelarError('E_REQUEST', `the form is malformed: ${message}`);
 
 /**
@@ -31,13 +33,15 @@ class Parts {
   }
 
   text(name, value, isNameCut, isCut) {
-    if (isNameCut) this.fail(malformed('a name of a field is too long'));
+    if (name === undefined) this.fail(malformed(NAMELESS));
+    else if (isNameCut) this.fail(malformed('a name of a field is too long'));
     else if (isCut) this.fail(tooLarge('L_REQUEST_BYTES', TEXT_BYTES, TEXT_BYTES + 1, `the field ${shown(name)}`));
     else if (this.texts.has(name)) this.fail(new TelarError('E_REQUEST', `request.${shown(name).slice(1, -1)}: it is given twice`));
     else this.texts.set(name, value);
   }
 
   file(field, stream, name = '') {
+    if (field === undefined) this.fail(malformed(NAMELESS));
     const chunks = [];
     const hash = createHash('sha256');
     stream.on('data', (chunk) => {

@@ -12,33 +12,50 @@ const RETRY_UNREADY = 5;
 /** Of a caller: short, and of characters that logs and headers hold. */
 const requestId = ({ headers }, own) => (/^[\w.-]{1,64}$/.test(headers['x-request-id'] ?? '') ? headers['x-request-id'] : own);
 
+/** Counts a request that is over. */
+function account(request, { raw }, { metrics }) {
+  linger(request.raw);
+  const { start, route, code = raw.writableFinished ? '' : 'X_CANCELLED' } = request.telar;
+  const status = raw.writableFinished ? raw.statusCode : ERRORS.X_CANCELLED.http;
+  const seconds = (performance.now() - start) / 1000;
+  metrics.requests.inc({ route, status, code });
+  metrics.seconds.observe({ route }, seconds);
+  answerLine(request, { status, seconds, code });
+  request.telar.span.end({ attributes: { 'http.response.status_code': status }, code, isFault: status >= 500 });
+}
+
+/** Gives a request `request.telar`, and counts it when it is over. */
+function watch(request, reply, service) {
+  const { method, headers, routeOptions } = request;
+  const route = routeOptions?.url ?? 'none';
+  const span = service.spans.request(headers, `${method} ${route}`, { 'http.request.method': method, 'http.route': route });
+  request.telar = { start: performance.now(), id: requestId(request, request.id), route, span };
+  reply.header('x-request-id', request.telar.id);
+  reply.header('x-content-type-options', 'nosniff');
+  // Also of clients that are gone: Fastify's own hooks are for answers that were sent.
+  reply.raw.once('close', () => account(request, reply, service));
+}
+
 /**
- * Gives each request `request.telar`, and counts it when it is over.
  * @param {import('fastify').FastifyInstance} fastify
  * @param {import('./service.mjs').Service} service
  */
-export function watchRequests(fastify, { metrics, spans }) {
-  const account = (request, { raw }) => {
-    linger(request.raw);
-    const { start, route, code = raw.writableFinished ? '' : 'X_CANCELLED' } = request.telar;
-    const status = raw.writableFinished ? raw.statusCode : ERRORS.X_CANCELLED.http;
-    const seconds = (performance.now() - start) / 1000;
-    metrics.requests.inc({ route, status, code });
-    metrics.seconds.observe({ route }, seconds);
-    answerLine(request, { status, seconds, code });
-    request.telar.span.end({ attributes: { 'http.response.status_code': status }, code, isFault: status >= 500 });
-  };
+export function watchRequests(fastify, service) {
   fastify.decorateRequest('telar', null);
-  fastify.addHook('onRequest', async (request, reply) => {
-    const { method, headers, routeOptions } = request;
-    const route = routeOptions.url ?? 'none';
-    const span = spans.request(headers, `${method} ${route}`, { 'http.request.method': method, 'http.route': route });
-    request.telar = { start: performance.now(), id: requestId(request, request.id), route, span };
-    reply.header('x-request-id', request.telar.id);
-    reply.header('x-content-type-options', 'nosniff');
-    // Also of clients that are gone: Fastify's own hooks are for answers that were sent.
-    reply.raw.once('close', () => account(request, reply));
-  });
+  fastify.addHook('onRequest', async (request, reply) => watch(request, reply, service));
+}
+
+function tellError(error, request, reply, { admission, prefix }) {
+  request.telar.code = error.code;
+  errorLine(request, error);
+  if (error.code === 'X_BUSY') reply.header('retry-after', String(admission.retryAfter));
+  else if (error.http === 503) reply.header('retry-after', String(RETRY_UNREADY));
+  if (error.code === 'X_SHUTDOWN') reply.header('connection', 'close');
+  reply
+    .code(error.http)
+    .header('cache-control', 'no-store')
+    .type(PROBLEM)
+    .send(JSON.stringify(problemOf(error, { prefix, id: request.telar.id })));
 }
 
 /**
@@ -51,19 +68,24 @@ export function answerErrors(fastify, { admission }) {
   fastify.setErrorHandler((thrown, request, reply) => {
     // Without `telar` a hook of the owner's server has refused it before the one above.
     if (!request.telar || isOwners(thrown)) throw thrown;
-    const error = errorOf(thrown);
-    request.telar.code = error.code;
-    errorLine(request, error);
-    if (error.code === 'X_BUSY') reply.header('retry-after', String(admission.retryAfter));
-    else if (error.http === 503) reply.header('retry-after', String(RETRY_UNREADY));
-    if (error.code === 'X_SHUTDOWN') reply.header('connection', 'close');
-    reply
-      .code(error.http)
-      .header('cache-control', 'no-store')
-      .type(PROBLEM)
-      .send(JSON.stringify(problemOf(error, { prefix, id: request.telar.id })));
+    tellError(errorOf(thrown), request, reply, { admission, prefix });
   });
   fastify.setNotFoundHandler(() => {
     throw new TelarError('E_NOT_FOUND', 'there is no such route; /openapi.json lists them');
   });
 }
+
+/** Of addresses that lead to no route, so that no hook above sees them: by the code of Fastify's error. */
+const ADDRESSES = {
+  FST_ERR_BAD_URL: () => new TelarError('E_REQUEST', 'the address is malformed: a % in it is followed by no two hexadecimal digits of UTF-8'),
+  FST_ERR_MAX_PARAM_LENGTH: () => new TelarError('E_NOT_FOUND', 'nothing has a name as long as one in the address'),
+};
+
+/**
+ * Fastify's `frameworkErrors`: told, logged and counted as all others.
+ * @param {import('./service.mjs').Service} service
+ */
+export const answerAddresses = (service) => (thrown, request, reply) => {
+  watch(request, reply, service);
+  tellError(ADDRESSES[thrown.code]?.() ?? errorOf(thrown), request, reply, { admission: service.admission, prefix: '' });
+};

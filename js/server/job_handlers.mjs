@@ -60,7 +60,7 @@ function stream(raw, first, queue, prefix) {
  * Handlers by the names of ROUTES.
  * @param {import('../queue/job_queue.mjs').JobQueue} queue
  * @param {string} prefix
- * @param {(reply: object, answer: object) => unknown} send as the routes that work send their answers
+ * @param {(request: object, reply: object, answer: object) => unknown} send as the routes that work send their answers
  */
 export function jobHandlers(queue, prefix, send) {
   const found = async (id) => {

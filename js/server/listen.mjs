@@ -1,5 +1,6 @@
 import { STATUS_CODES } from 'node:http';
 import { TelarError } from '../error/index.mjs';
+import { answerAddresses } from './hooks.mjs';
 import { namesOf, readOptions } from './options.mjs';
 import { mount } from './plugin.mjs';
 import { problemOf } from './problem.mjs';
@@ -51,6 +52,7 @@ export async function listen(given, { log } = {}) {
       logger: log && logLevel !== 'silent' ? { level: logLevel, stream: log, base: null } : false,
       logController: new LogController({ disableRequestLogging: true }),
       clientErrorHandler: onClientError,
+      frameworkErrors: answerAddresses(service),
       // A client that reads nothing of its answer, or writes nothing at all.
       connectionTimeout: deadlineMs + uploadMs + headersMs,
       keepAliveTimeout: KEEP_ALIVE_MS,

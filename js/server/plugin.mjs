@@ -7,7 +7,7 @@ import { Replies } from './replies.mjs';
 import { ROUTES } from './routes.mjs';
 import { Service } from './service.mjs';
 
-const METHODS = ['GET', 'POST', 'PUT', 'PATCH', 'DELETE'];
+const METHODS = ['GET', 'POST', 'PUT', 'PATCH', 'DELETE', 'OPTIONS', 'TRACE'];
 
 /**
  * The Fastify plugin. js/server/index.d.ts documents it and its options.
@@ -36,7 +36,7 @@ export async function mount(fastify, service, { cacheSeconds, metrics: isMetered
     signed: (request, reply) => replies.ofSigned(request, reply),
     ...stateHandlers(service),
     ...(isMetered && metricsHandlers(service.metrics)),
-    ...jobHandlers(service.queue, prefix, (request, reply, answer) => replies.send(request, reply, answer)),
+    ...jobHandlers(service.queue, prefix, (request, reply, answer) => replies.ofJob(request, reply, answer)),
     ...(await descriptionHandlers(prefix, { metrics: isMetered })),
   };
   for (const [name, { url, pattern = url, methods, kind }] of Object.entries(ROUTES)) {

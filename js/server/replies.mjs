@@ -1,5 +1,5 @@
 import { bodyOf } from './answer.mjs';
-import { tagOf } from './conditional.mjs';
+import { isUnchanged, tagOf } from './conditional.mjs';
 import { jobJson } from './job_handlers.mjs';
 import { isAsync } from './scope.mjs';
 
@@ -43,11 +43,21 @@ export class Replies {
       return reply.code(202).headers({ location: job.links.self, 'preference-applied': 'respond-async', 'cache-control': 'no-store' }).send(job);
     }
     const { result, tag, ...answer } = await this.#service.answer(kind, asked, reply.raw);
-    if (result) return this.send(request, reply, { ...answer, result });
+    return result ? this.send(request, reply, { ...answer, result }) : this.#unchanged(request, reply, tag);
+  }
+
+  #unchanged(request, reply, tag) {
     return reply
       .headers({ vary: 'accept', 'cache-control': this.#publicFor(request), etag: tag })
       .code(304)
       .send();
+  }
+
+  /** What came of a job, or that the client has it already. */
+  ofJob(request, reply, answer) {
+    const { key } = answer.result;
+    const tag = key && tagOf(key, answer.type);
+    return tag && isUnchanged(request.raw, tag) ? this.#unchanged(request, reply, tag) : this.send(request, reply, answer);
   }
 
   /** A result, whoever kept it. */

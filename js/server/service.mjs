@@ -11,7 +11,7 @@ import { openMetrics } from './metrics.mjs';
 import { keyOf } from '../queue/key.mjs';
 import { openQueue } from '../queue/open.mjs';
 import { perform } from '../queue/perform.mjs';
-import { checkSize, isSizedByModel } from '../queue/picture_size.mjs';
+import { checkGivenSize, checkStored, isSizedByModel } from '../queue/picture_size.mjs';
 import { ResultStore } from '../queue/result_store.mjs';
 import { References } from './references.mjs';
 import { Scope, priorityOf, waitOf } from './scope.mjs';
@@ -133,7 +133,7 @@ export class Service {
       else for (const name of ['expected', 'actual']) if (!own[name]) throw missing(name);
       const isDrawn = kind === 'thumbnail' || kind === 'inspect' || kind === 'sheet';
       const shot = isDrawn && ownLight(rest.shot ?? {}, { environments, file: light });
-      if (kind === 'thumbnail') checkSize(shot, side);
+      if (kind === 'thumbnail') checkGivenSize(shot, side);
       // What the model makes of its scale is known when it is loaded, by whichever process.
       const bound = kind === 'thumbnail' && isSizedByModel(shot) && { side };
       this.metrics.received.inc(Object.values(own).reduce((sum, { byteLength }) => sum + byteLength, 0));
@@ -205,6 +205,7 @@ export class Service {
     if (key && this.#store) span.add('telar.store', asked, performance.now(), { 'telar.outcome': kept ? 'hit' : 'miss' });
     if (kept) {
       onStart?.();
+      checkStored(task, kept);
       return { result: kept };
     }
     let begun;

@@ -20,6 +20,7 @@ export const MODEL_TYPES = ['model/gltf-binary', 'model/gltf+json', 'application
 const JSON_BYTES = 2 ** 20;
 
 const wrong = (message, pointer) => new TelarError('E_REQUEST', message, pointer === undefined ? {} : { pointer });
+const givenTwice = (key) => wrong(`request.${key}: it is given twice`, `/${key}`);
 const wrongKey = (key, expected, value) => wrongValue([key], expected, value, ABOUT);
 
 const schemas = new Map();
@@ -52,7 +53,7 @@ function fromTexts(kind, texts) {
   const asked = {};
   for (const [key, text] of texts) {
     refuseUnknown(kind, key);
-    if (Object.hasOwn(asked, key)) throw wrong(`request.${key}: it is given twice`, `/${key}`);
+    if (Object.hasOwn(asked, key)) throw givenTwice(key);
     asked[key] = read(text, key, keys[key]);
   }
   return asked;
@@ -98,6 +99,13 @@ function sorted(kind, files) {
   return { texts, bytes };
 }
 
+/** Bodies are taken as they are: what is packed would have no bound on what it unpacks to. */
+function refuseCoded({ headers }) {
+  const coding = (headers['content-encoding'] ?? '').trim();
+  if (coding === '' || coding.toLowerCase() === 'identity') return;
+  throw new TelarError('E_MEDIA_TYPE', `the body has the content-encoding ${shown(coding)}; this route takes bodies without one`);
+}
+
 const mediaTypeOf = ({ headers }) => (headers['content-type'] ?? '').split(';')[0].trim().toLowerCase();
 
 /**
@@ -111,10 +119,14 @@ export async function readTask(kind, { method, query, raw }, { fileBytes, ...bou
   const { files: known } = REQUESTS[kind];
   const task = (asked, files = {}) => ({ kind, asked: checked(kind, asked), files });
   if (method === 'GET' || method === 'HEAD') return task(fromTexts(kind, query));
+  refuseCoded(raw);
   const type = mediaTypeOf(raw);
   if (type === 'application/json') {
     const text = (await receiveBytes(raw, { ...bounds, maxBytes: JSON_BYTES })).toString('utf8');
-    return task({ ...fromTexts(kind, query), ...parsedBody(text) });
+    const [address, body] = [fromTexts(kind, query), parsedBody(text)];
+    const twice = Object.keys(address).find((key) => Object.hasOwn(body, key));
+    if (twice !== undefined) throw givenTwice(twice);
+    return task({ ...address, ...body });
   }
   if (type === 'multipart/form-data') {
     const form = await receiveForm(raw, { ...bounds, fileBytes });

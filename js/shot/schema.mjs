@@ -24,6 +24,18 @@ function colourOf({ keywords, expected: error, expectedNumber }) {
   return z.pipe(z.union([css, z.tuple([part, part, part], { error })], { error }), z.transform(linear));
 }
 
+/** Refuses the own key "__proto__", which JSON may have: zod drops it from records without a word, and no check of what it made sees it. */
+function withoutPrototype(type) {
+  const { run } = type._zod;
+  type._zod.run = (payload, context) => {
+    const { value: input } = payload;
+    if (typeof input === 'object' && input !== null && Object.hasOwn(input, '__proto__'))
+      payload.issues.push({ code: 'custom', path: ['__proto__'], message: 'another name', input, inst: type });
+    return run(payload, context);
+  };
+  return type;
+}
+
 /** A zod type of each kind of row, its standing and meaning aside. */
 const TYPES = {
   number: (row) => (row.integer ? z.int({ error: row.expected }) : z.number({ error: row.expected })).check(...between(row)),
@@ -46,7 +58,7 @@ const TYPES = {
   object: ({ shape, expected: error }) => z.strictObject(mapped(shape, zodOf), { error }),
   record({ of, expected: error, max = Infinity }) {
     const type = z.record(z.string().check(z.regex(CHARACTERS, { error })), inner(of), { error });
-    return type.check(z.refine((value) => Object.keys(value).length <= max, { error }));
+    return withoutPrototype(type.check(z.refine((value) => Object.keys(value).length <= max, { error })));
   },
   list({ of, expected: error, length, max }) {
     const type = z.array(inner(of), { error }).check(...atMost(max, error));

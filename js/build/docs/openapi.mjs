@@ -153,7 +153,11 @@ const PLAIN = {
     200: { description: 'Events named by the state of the job, with the job as data', content: { 'text/event-stream': { schema: text() } } },
     404: ref('responses', 'e404'),
   },
-  jobResult: { 200: { description: 'What the request would have got at once', content: Object.assign({}, ...Object.values(CONTENT)) }, ...refusals() },
+  jobResult: {
+    200: { description: 'What the request would have got at once', content: Object.assign({}, ...Object.values(CONTENT)) },
+    304: { description: 'The client has it' },
+    ...refusals(),
+  },
   error: { 200: { description: 'A row of the table of errors', ...json({ type: 'object' }) }, 404: ref('responses', 'e404') },
   health: { 200: { description: 'Alive', ...json({ type: 'object', properties: { status: { const: 'ok' } } }) } },
   readiness: { 200: { description: 'Ready', ...json(ref('schemas', 'Readiness')) }, 503: { description: 'Not ready', ...json(ref('schemas', 'Readiness')) } },

@@ -211,6 +211,7 @@ test('usage errors: exit 2, nothing drawn, one JSON object with --json', async (
     [['thumbnail', 'm.glb', ...out, '--backend', 'x11'], /Allowed choices are auto, egl-device/],
     [['thumbnail', 'm.glb', ...out, '--set', 'exposure'], /--set: expected key=value/],
     [['thumbnail', 'm.glb', ...out, '--set', 'lights.1.type=point'], /expected an index up to 0 in place of "1"/],
+    [['thumbnail', 'm.glb', ...out, '--material', '__proto__=denim'], /shot\.materials\.__proto__: expected another name/],
     [['thumbnail', 'm.glb', ...out, '--set', '__proto__.x=1'], /shot\.__proto__: unknown key/],
     [['thumbnail', 'm.glb', ...out, '--shot', at('shot.json')], /is not JSON/],
     [['thumbnail', 'm.glb', ...out, '--shot', at('list.json')], /expected an object, got \[\]/],

@@ -16,7 +16,7 @@ function fakePool() {
   const drawn = [];
   const render = async (model) => {
     drawn.push(Buffer.from(model).toString());
-    return { data: Buffer.from(`picture of ${model}`), info: { key: 'what a worker says', format: 'png', shot: {} } };
+    return { data: Buffer.from(`picture of ${model}`), info: { key: 'what a worker says', format: 'png', width: 300, height: 200, shot: {} } };
   };
   return { drawn, render, workers: [{}] };
 }
@@ -52,6 +52,10 @@ async function checkStore(queues, store) {
     'what has parts has no key beforehand',
   );
   assert.deepEqual((await draw(queues, [task('a')])).drawn, ['a'], 'without a store');
+  // The service that took the job draws no larger ones.
+  const bounded = (side) => ({ ...task('a'), asked: { ...task('a').asked, side } });
+  const { texts } = await draw(queues, [bounded(299), bounded(300)], { store });
+  assert.deepEqual(texts, [undefined, 'picture of a']);
 }
 
 test('what a store has is not drawn, and what is drawn goes there', async (t) => {
@@ -62,6 +66,7 @@ test('what a store has is not drawn, and what is drawn goes there', async (t) =>
 
 for (const [fault, wrong] of [
   ['if (kept) return kept;', ''],
+  ['if (kept) checkStored(task, kept);', ''],
   ['if (key) store.put({ ...result, key });', ''],
   ['if (key) store.put({ ...result, key });', 'if (key) store.put(result);'],
 ]) {

@@ -103,6 +103,10 @@ export const JOB_CHECKS = {
     const atOnce = await ask(glb, { shot: SHOT });
     for (const name of ['content-type', 'etag', 'content-disposition']) assert.equal(response.headers.get(name), atOnce.headers.get(name), name);
     assert.ok((await bytesOf(response)).equals(drawn));
+    const tag = response.headers.get('etag');
+    const had = await fetch(response.url, { headers: { 'if-none-match': `"other", ${tag}` } });
+    assert.deepEqual([had.status, had.headers.get('etag'), (await bytesOf(had)).length], [304, tag, 0]);
+    assert.equal((await fetch(response.url, { headers: { 'if-none-match': '"other"' } })).status, 200);
     const asJson = await over((await submit(SHOT, { accept: 'application/json' })).self);
     assert.ok(Buffer.from((await job(asJson.links.result)).files[0].data, 'base64').equals(drawn), 'fetched again and again, as its request accepts it');
     const compared = await (await postForm(url, '/v1/compare', { expected: drawn, actual: drawn, gate: 'exact' }, ASYNC)).json();

@@ -17,6 +17,7 @@ const FAULTS = {
     ['done and not whole', 'memory_queue.mjs', 'progress: 1 }', 'progress: 0.9 }'],
     ['another address', 'replies.mjs', 'location: job.links.self', 'location: job.links.events'],
     ['another type', 'service.mjs', 'meta: { type, kind }', "meta: { type: 'image/png', kind }"],
+    ['sent to who has it', 'replies.mjs', 'return tag && isUnchanged(request.raw, tag) ?', 'return false ?'],
     ['no link to it', 'job_handlers.mjs', "state === 'done' && { result:", "state === 'failed' && { result:"],
   ],
   'events: from': [

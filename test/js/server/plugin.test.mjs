@@ -27,7 +27,7 @@ test('beneath its prefix it draws, and leads there', async () => {
   const response = await post(url, '/pictures/v1/thumbnails', glb, { shot: SHOT });
   assert.equal(response.status, 200);
   assert.equal((await bytesOf(response)).subarray(1, 4).toString(), 'PNG');
-  const { code, type } = await problemOf(await post(url, '/pictures/v1/thumbnails', '', {}));
+  const { code, type } = await problemOf(await post(url, '/pictures/v1/thumbnails', '', { shot: SHOT }));
   assert.deepEqual([code, type], ['E_EMPTY', '/pictures/v1/errors/E_EMPTY']);
   assert.equal((await fetch(new URL(type, url))).status, 200);
   assert.equal((await fetch(new URL('/pictures/metrics', url))).status, 404);
@@ -64,6 +64,24 @@ test("what a hook of the owner's server refuses is answered as that server does,
     assert.deepEqual([answer.status, (await answer.json()).message], [status, `refused ${refuse}`]);
   }
   assert.equal((await fetch(new URL('/openapi.json', address))).status, 200);
+});
+
+test("a hook of the owner's server answers preflights of browsers before the service refuses the method", async (t) => {
+  const pool = await createPool({ size: 1, cacheDirectory: null });
+  const other = Fastify();
+  t.after(async () => {
+    await other.close();
+    await pool.close();
+  });
+  other.addHook('onRequest', async ({ method, headers }, reply) => {
+    if (method === 'OPTIONS' && headers['access-control-request-method']) return reply.code(204).header('access-control-allow-origin', '*').send();
+    return undefined;
+  });
+  await other.register(telarServer, { pool });
+  const address = new URL('/v1/sheets', await other.listen({ port: 0 }));
+  const preflight = await fetch(address, { method: 'OPTIONS', headers: { 'access-control-request-method': 'POST' } });
+  assert.deepEqual([preflight.status, preflight.headers.get('access-control-allow-origin')], [204, '*']);
+  assert.equal((await fetch(address, { method: 'OPTIONS' })).status, 405);
 });
 
 test('jobs that waited in a queue before the service was there are drawn', async (t) => {

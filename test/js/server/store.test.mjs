@@ -29,7 +29,8 @@ before(async () => {
     drawn += 1;
     return real.render(...args);
   };
-  pool = Object.defineProperty({ render, close: () => real.close() }, 'workers', { get: () => real.workers });
+  const sizing = Object.fromEntries(['load', 'factsOf', 'release'].map((name) => [name, (...args) => real[name](...args)]));
+  pool = Object.defineProperty({ render, ...sizing, close: () => real.close() }, 'workers', { get: () => real.workers });
   root = mkdtempSync(path.join(tmpdir(), 'telar-store-'));
   host = await startHost(async (request, response) => {
     const { pathname, searchParams } = new URL(request.url, 'http://host');
@@ -206,6 +207,23 @@ const CHECKS = {
       mood = 'well';
     }
   },
+  async 'what another service stored is no larger than this one draws'(serve) {
+    const store = folder();
+    const shot = { ...SHOT, size: undefined, scale: '1:10', output: { ppi: 20 } };
+    const wide = await withService(serve, { store }, ({ ask }) => ask(shot));
+    const width = wide.bytes.readUInt32BE(16);
+    const asked = await withService(serve, { store, side: width - 1 }, async ({ ask, url }) => {
+      const { links } = await (await post(url, THUMBNAILS, glb, { shot }, { prefer: 'respond-async' })).json();
+      const job = await until(async () => {
+        const told = await (await fetch(new URL(links.self, url))).json();
+        return ['failed', 'done'].includes(told.state) && told;
+      });
+      return [await ask(shot), job];
+    });
+    assert.deepEqual([wide.status, asked[0].status, JSON.parse(asked[0].bytes).code, asked[1].error?.code], [200, 413, 'L_OUTPUT_SIZE', 'L_OUTPUT_SIZE']);
+    const same = await withService(serve, { store, side: 4096 }, ({ ask }) => ask(shot));
+    assert.deepEqual([same.status, same.isDrawn, same.bytes.equals(wide.bytes)], [200, false, true]);
+  },
   async 'jobs have it too'(serve) {
     const store = folder();
     const { bytes } = await withService(serve, { store }, ({ ask }) => ask(SHOT));
@@ -234,6 +252,7 @@ const FAULTS = [
   ['a folder is bounded', 'result_folder.mjs', 'a.mtimeMs - b.mtimeMs', 'b.mtimeMs - a.mtimeMs'],
   ['a store that fails', 'result_store.mjs', "this.#count('failed', error);\n      return undefined;", 'throw error;'],
   ['a store that never', 'result_addresses.mjs', 'AbortSignal.any([signal, AbortSignal.timeout(MOST_MS)])', 'AbortSignal.timeout(MOST_MS)'],
+  ['what another service', 'service.mjs', 'checkStored(task, kept);', ''],
   ['jobs have it', 'service.mjs', 'const key = this.#store && (await keyOf(task));', 'const key = undefined;'],
 ];
 for (const [name, check] of Object.entries(CHECKS)) {

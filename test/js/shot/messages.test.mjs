@@ -337,6 +337,16 @@ test('messages stay short and clean whatever they quote', () => {
   assert.doesNotMatch(message, /[\u0000-\u001f]/);
 });
 
+test('a name that objects do not keep is refused, as JSON may have it', () => {
+  for (const cloth of ['{"preset":"denim"}', '{"nokey":1}', '7']) {
+    const { code, message, pointer } = complaintOf(JSON.parse(`{"materials":{"Body":{},"__proto__":${cloth}}}`));
+    assert.deepEqual([code, pointer], ['E_SHOT', '/materials/__proto__']);
+    assert.match(message, /^shot\.materials\.__proto__: expected another name, got /);
+  }
+  // The prototype itself is no key.
+  assert.deepEqual(Object.keys(resolveShot({ materials: { __proto__: { preset: 'denim' }, Body: {} } }, facts).materials), ['Body']);
+});
+
 test('the nearest word', () => {
   assert.equal(nearest('wdth', ['width', 'height']), 'width');
   assert.equal(nearest('zzz', ['width', 'height']), undefined);
