@@ -1,3 +1,5 @@
+import { cornersOfBox } from '../shot/frame.mjs';
+
 /** A first spec, made of what a model tells: something to start from. */
 
 const titled = (text) => {
@@ -16,28 +18,41 @@ function withoutVariant(name, variants) {
 
 /** Part of the extent by which a point may lie nearer than the farthest. */
 const AS_FAR = 0.02;
-/** What a pair that is shorter counts against one that leans as much. */
-const SHORT = 4;
+/** What a pair that leans in the front view counts against one whose length is off by as much. */
+const LEANING = 0.25;
+/** Pairs whose costs differ by less are alike, metres: anchors are rounded so, and a model far from the origin has such noise. */
+const ALIKE = 1e-4;
 
-/** Of the points that lie farthest out along an axis, two that are level or upright from the front. @param {0 | 1} axis */
+const distance = (a, b) => Math.hypot(...a.map((value, i) => value - b[i]));
+
+/**
+ * Of the points that lie farthest out along an axis, two whose distance is the extent of the front view, and that are level or upright there.
+ * A line that runs in depth too is longer than the front shows it; one within the outline is shorter. Of pairs that are alike it is the
+ * nearest to the viewer.
+ * @param {0 | 1} axis
+ */
 function farthestPair(points, axis) {
   const along = points.map((point) => point[axis]);
   const [low, high] = [Math.min(...along), Math.max(...along)];
   const ends = [low, high].map((end) => points.filter((point) => Math.abs(point[axis] - end) <= AS_FAR * (high - low)));
-  const pairs = ends[0].flatMap((from) => ends[1].map((to) => [from, to]));
-  const costOf = ([from, to]) => Math.abs(from[1 - axis] - to[1 - axis]) + SHORT * (high - low - (to[axis] - from[axis]));
-  return pairs.reduce((best, pair) => (costOf(pair) < costOf(best) ? pair : best));
+  const pairs = ends[0].flatMap((from) =>
+    ends[1].map((to) => {
+      const shown = to[axis] - from[axis];
+      const [missing, excess] = [high - low - shown, distance(from, to) - shown];
+      return { pair: [from, to], cost: missing + excess + LEANING * Math.abs(from[1 - axis] - to[1 - axis]), near: from[2] + to[2] };
+    }),
+  );
+  const least = pairs.reduce((cost, pair) => Math.min(cost, pair.cost), Infinity);
+  return pairs.filter(({ cost }) => cost < least + ALIKE).reduce((best, pair) => (pair.near > best.near + ALIKE ? pair : best)).pair;
 }
 
 /** Overall width and length as points of measure: between the points of the model that lie farthest out. */
-function overall({ bounds: { min, max }, outline }) {
-  const points = outline?.length > 1 ? outline : [min, max];
+function overall({ bounds, outline }) {
+  const points = outline?.length > 1 ? outline : cornersOfBox(bounds);
   const round = (point) => point.map((value) => Number(value.toFixed(4)));
   const [[left, right], [bottom, top]] = [0, 1].map((axis) => farthestPair(points, axis).map(round));
   return { anchors: { left, right, top, bottom }, size: [distance(left, right), distance(top, bottom)] };
 }
-
-const distance = (a, b) => Math.hypot(...a.map((value, i) => value - b[i]));
 
 /** Most colours of a colourway: those of the materials that are most of it. */
 const SWATCHES = 6;
