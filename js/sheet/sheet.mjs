@@ -21,6 +21,7 @@ import { pointOf } from './places.mjs';
 import { ABOUT, readSpec } from './read.mjs';
 import { Squares, colourListOf } from './squares.mjs';
 import { shownBy } from './shown.mjs';
+import { eachOnce } from './warnings.mjs';
 import { wordsOf } from './words.mjs';
 
 /** Makes a sheet: reads the spec, lays out its pages, draws their pictures together, and has them set. */
@@ -155,10 +156,17 @@ export async function createSheet(source, given, options = {}) {
     const { format } = settings;
     const files = await filesOf(engine, documentOf(layout, sections, images), { format, ppi: layout.spec.ppi });
     const milliseconds = { layout: laidOut - start, pictures: pictured - laidOut, typeset: performance.now() - pictured, total: performance.now() - start };
-    return { format, files, info: { pictures: drawn.size, warnings: layout.warnings, measures: measuresOf(layout), swatches: layout.colours, milliseconds } };
+    return {
+      format,
+      files,
+      info: { pictures: drawn.size, warnings: warningsOf(layout, drawn), measures: measuresOf(layout), swatches: layout.colours, milliseconds },
+    };
   } finally {
     engine.close();
   }
 }
+
+/** What of the model, of the spec and of the pictures is to be told. @param {Map<string, {info?: object}>} drawn flats have no info */
+const warningsOf = ({ facts, warnings }, drawn) => eachOnce([facts.warnings ?? [], warnings, ...[...drawn.values()].map(({ info }) => info?.warnings ?? [])]);
 
 const measuresOf = ({ measured = [] }) => measured.filter(({ length }) => length !== undefined).map(({ code, length }) => ({ code, millimetres: length }));
