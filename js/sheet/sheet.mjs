@@ -5,6 +5,7 @@ import { checkCharacters, checkText, readFonts } from './fonts.mjs';
 import { readImages } from './images.mjs';
 import { Layout } from './layout.mjs';
 import { lengthOf } from './lengths.mjs';
+import { oneLine } from './names.mjs';
 import { readOptions } from './options.mjs';
 import { wrongValue } from '../shot/complain.mjs';
 import { pagesOf, pngOf } from './output.mjs';
@@ -107,7 +108,8 @@ export async function layOut(source, given, settings) {
   const { renderer, fonts: extra, resolve, templates, shot, previous, limits, timeoutMs, signal } = settings;
   const call = { signal, ...(timeoutMs !== undefined && { timeoutMs }) };
   const model = source?.facts ? source : await renderer.load(source, { signal });
-  const facts = await renderer.factsOf(model, {}, { signal });
+  const told = await renderer.factsOf(model, {}, { signal });
+  const facts = { ...told, name: oneLine(told.name) };
   const spec = readSpec(given, facts);
   const shown = await shownBy(spec.views, model, { renderer, facts, signal });
   const words = wordsOf(spec);

@@ -10,7 +10,8 @@ import { readOptions } from '../../../js/sheet/options.mjs';
 import { layOut } from '../../../js/sheet/sheet.mjs';
 import { strip } from '../api/support/strip.mjs';
 import { judgedFolder } from './judged_folder.mjs';
-import { CHEAP, openSquare } from './square.mjs';
+import { editedGlb } from '../../fixtures/edited_glb.mjs';
+import { CHEAP, openSquare, squareModel } from './square.mjs';
 
 const { folder, run } = judgedFolder('sheet');
 
@@ -291,4 +292,20 @@ test('where Typst is not installed, the error says what to install', () => {
     await Engine.create({ fonts: await bundledFonts() }).catch((error) => console.log(error.code, error.message));`;
   const { stdout } = spawnSync(process.execPath, ['--input-type=module', '-e', script], { encoding: 'utf8' });
   assert.match(stdout, /^X_LIBRARY_MISSING .*npm install @myriaddreamin\/typst-ts-node-compiler/);
+});
+
+test('a sheet without a name is set: cleared names fall through to what there is, and to the words of the sheet', async () => {
+  const titleOf = async (garment, spec) => {
+    const { sections, engine } = await layOut(garment, spec, readOptions({ renderer, shot: CHEAP }));
+    engine.close();
+    return sections[0].title;
+  };
+  assert.equal(await titleOf(model, { header: { name: '', style: 'TL-01' } }), 'TL-01');
+  assert.equal(await titleOf(model, { header: { name: '', style: '' } }), 'Tech sheet');
+  const spec = firstSpec(model.facts);
+  assert.equal(spec.header.name, '');
+  const { files } = await sheet({ ...spec, words: { measures: '', 'alt.view': '{name}', 'alt.flat': '' }, bill: [{ item: 'Jersey' }] });
+  assert.equal(files[0].subarray(0, 5).toString(), '%PDF-');
+  const named = await renderer.load(editedGlb(await squareModel(), (json) => (json.scenes[0].name = `${'long '.repeat(40)}\nname`)));
+  assert.equal(await titleOf(named, {}), `${'long '.repeat(24).trim()}…`);
 });

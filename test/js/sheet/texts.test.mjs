@@ -100,6 +100,12 @@ test('every language has every heading with the same places, and every care symb
   assert.equal(wordsOf({ language: 'en', words: {} })('reduced', { scale: '1:2' }), 'Shown at 1:2');
   // Another language brings its own; what it leaves out is English.
   assert.equal(wordsOf({ language: 'fr', words: { page: 'Page' } })('bill'), 'Bill of materials');
+  // What is cleared, or comes to nothing, is that of the language: a PDF/UA has no empty heading and no picture without a text.
+  const cleared = wordsOf({ language: 'es', words: { bill: '', 'alt.logo': '{brand}' } });
+  assert.deepEqual(
+    [cleared('bill'), cleared('alt.logo', { brand: '' }), cleared('alt.logo', { brand: 'Telar' })],
+    ['Lista de materiales', 'Logotipo de ', 'Telar'],
+  );
 });
 
 test('care symbols are vectors without text', () => {
