@@ -30,7 +30,7 @@ export function wordsOf({ language, words }) {
       { pointer: '/language' },
     );
   const known = { ...english, ...(LANGUAGES.includes(base) && read(base)) };
-  const filled = (text, values) => text.replaceAll(/\{(\w+)\}/g, (_, name) => values[name] ?? '');
+  const filled = (text, values) => text.replaceAll(/\{(\w+)\}/g, (_, name) => (Object.hasOwn(values, name) ? (values[name] ?? '') : ''));
   // A heading or the text of a picture is never empty: a PDF/UA has none.
   return (key, values = {}) => filled(words[key] ?? '', values) || filled(known[key], values);
 }

@@ -309,3 +309,23 @@ test('a sheet without a name is set: cleared names fall through to what there is
   const named = await renderer.load(editedGlb(await squareModel(), (json) => (json.scenes[0].name = `${'long '.repeat(40)}\nname`)));
   assert.equal(await titleOf(named, {}), `${'long '.repeat(24).trim()}…`);
 });
+
+test('colourways and sizes may have the names of JavaScript’s own properties', async () => {
+  for (const name of ['constructor', 'toString', 'hasOwnProperty', 'valueOf', '__proto__']) {
+    const isKey = name !== '__proto__';
+    const spec = {
+      header: { style: 'TL-01', sizes: [name], baseSize: name },
+      words: { 'alt.logo': '{constructor}{brand}' },
+      colourways: [{ name, swatches: [{ name: 'Red', color: '#f00' }] }],
+      bill: [{ item: 'Jersey' }, { item: 'Rib', colours: isKey ? { [name]: 'Scarlet' } : {} }],
+      measures: [{ code: 'A', description: 'a', values: isKey ? { [name]: 40 } : {} }],
+    };
+    const { sections, engine, layout } = await layOut(model, spec, readOptions({ renderer, shot: CHEAP }));
+    engine.close();
+    const cellsOf = (title) => sections.find((section) => section.title === title).rows.map(({ cells }) => cells.slice(1));
+    assert.deepEqual(cellsOf('Bill of materials'), isKey ? [[''], ['Scarlet']] : [[], []], name);
+    assert.deepEqual(cellsOf('Measurements')[0].at(-1), { kind: 'strong', text: isKey ? '40.0' : '' }, name);
+    assert.equal(layout.words('alt.logo', { brand: 'Telar' }), 'Telar');
+    await sheet(spec, { format: 'svg' });
+  }
+});
