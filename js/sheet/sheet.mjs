@@ -127,8 +127,8 @@ export async function layOut(source, given, settings) {
     const layout = new Layout({ spec, facts, shown, words, pictures, engine, changed, images, fonts: fonts.families });
     layout.squares = new Squares({ model, renderer, call, list: await colourListOf(spec, { resolve, fonts }) });
     layout.colours = [];
-    layout.pointOf = (item, view, pointer) =>
-      pointOf(item, { pointer, extent: layout.extent(view), variant: view.variant, renderer, model: layout.seen(view).model, call });
+    layout.pointOf = (item, view, { pointer, picture }) =>
+      pointOf(item, { pointer, picture, extent: layout.extent(view), variant: view.variant, renderer, model: layout.seen(view).model, call });
     const warn = (...told) => layout.warn(...told);
     layout.lengthOf = (measure, id) => {
       const { variant } = spec.views.find(({ name }) => name === measure.view);

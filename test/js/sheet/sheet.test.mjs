@@ -310,6 +310,42 @@ test('a sheet without a name is set: cleared names fall through to what there is
   assert.equal(await titleOf(named, {}), `${'long '.repeat(24).trim()}…`);
 });
 
+test('a place in the picture is one of the picture that is printed, to its corners, on every paper', async () => {
+  const places = [
+    [0.02, 0.02],
+    [0.5, 0.5],
+    [0.3, 0.9],
+    [1, 1],
+    [1e-6, 1],
+  ];
+  for (const size of ['A3', 'A4']) {
+    const spec = {
+      header: { style: 'TL-01' },
+      paper: { size },
+      callouts: places.map((picture, i) => ({ text: `${i + 1}`, picture })),
+      details: places.map((picture, i) => ({ title: `${i + 1}`, picture, size: 0.02 })),
+    };
+    const { sections, engine } = await layOut(model, spec, readOptions({ renderer, shot: CHEAP }));
+    engine.close();
+    const figuresOf = (key) => sections.map(({ figure }) => figure).filter((figure) => figure?.[key].length > 0);
+    const partsOf = (figure, [x, y]) => {
+      const [picture] = figure.pictures;
+      return [(x - picture.x) / picture.width, (y - picture.y) / picture.height];
+    };
+    const called = figuresOf('sites').flatMap((figure) => figure.sites.map((site) => partsOf(figure, site)));
+    const ringed = figuresOf('rings').flatMap((figure) => figure.rings.map((ring) => partsOf(figure, [ring.x + ring.width / 2, ring.y + ring.height / 2])));
+    for (const found of [called, ringed]) {
+      assert.equal(found.length, places.length);
+      // Sums of doubles.
+      for (const place of places)
+        assert.ok(
+          found.some((at) => Math.hypot(at[0] - place[0], at[1] - place[1]) < 1e-9),
+          `${place} among ${found} on ${size}`,
+        );
+    }
+  }
+});
+
 test('colourways and sizes may have the names of JavaScript’s own properties', async () => {
   for (const name of ['constructor', 'toString', 'hasOwnProperty', 'valueOf', '__proto__']) {
     const isKey = name !== '__proto__';
