@@ -126,6 +126,11 @@ test('hostile specs end in an error, whatever their size', () => {
   let deep = {};
   for (let i = 0; i < 5000; ++i) deep = { a: deep };
   assert.equal(refusal({ header: deep })[0], '/header/a');
+  let lists = [];
+  for (let i = 0; i < 50_000; ++i) lists = [lists];
+  assert.equal(refusal({ header: lists })[0], '/header');
+  assert.match(refusal({ header: lists })[1], /^spec\.header: expected an object, got \[{30}[^a-z]{10,30}$/);
+  assert.equal(refusal({ anchors: { hem: lists } })[0], '/anchors/hem');
   assert.equal(refusal(JSON.parse('{"header": {"__proto__": 1}}'))[0], '/header/__proto__');
 });
 
