@@ -5,6 +5,7 @@ import { shown } from '../shot/complain.mjs';
 import { createSheet, firstSpec } from '../sheet/index.mjs';
 import { checkShared } from '../sheet/shared_shot.mjs';
 import { removeUnfinished, writeFileAtomically } from '../api/atomic_file.mjs';
+import { refuseWarnings } from '../api/fail_on.mjs';
 import { maxFileBytes, readLimits, readTimeout } from './limits.mjs';
 import { checkModel, readModel } from './models.mjs';
 import { environmentOf, refuseOverwriting } from './overwritten.mjs';
@@ -49,7 +50,10 @@ export async function sheet(given, options, context) {
     const loaded = await renderer.load(source, { signal: context.signal });
     const name = model === '-' ? '' : path.basename(model).replace(/\.[^.]+$/, '');
     const spec = givenSpec ?? firstSpec(loaded.facts, { name });
-    if (format === 'json') return await writeSpec(spec, options.output, context);
+    if (format === 'json') {
+      for (const warning of loaded.facts.warnings) context.console.warning(warning, model);
+      return await writeSpec(spec, options.output, context);
+    }
     const bar = await context.console.progress(1, { gradual: true });
     const made = await createSheet(loaded, spec, {
       renderer,
@@ -167,6 +171,8 @@ function namesOf(output, count) {
 }
 
 async function tell({ files, info }, { options, format, model }, { console, signal }) {
+  // Those of the file and of the pictures have been refused before.
+  refuseWarnings(options.failOn, info.warnings);
   const outputs = namesOf(options.output, format === 'pdf' ? 1 : files.length);
   for (const [i, file] of outputs.entries()) await writeFileAtomically(file, files[i], signal);
   for (const warning of info.warnings) console.warning(warning, model);

@@ -1,5 +1,6 @@
 import { checkObject, checkSignal, isObject, loading, wrongOption } from '../api/options.mjs';
 import { bytesOf } from '../api/source.mjs';
+import { TelarError } from '../error/index.mjs';
 import { checkShared } from '../sheet/shared_shot.mjs';
 
 /** Options of the methods that a pool has beside those of a renderer. */
@@ -9,12 +10,24 @@ const flag = (name, value = false) => {
   throw wrongOption(`options.${name}`, 'true or false', value);
 };
 
+const PLAIN = 'plain data as in JSON';
+const reasonOf = ({ message }) => message.split('\n')[0];
+
 /** Plain data that crosses to another process. @throws {TelarError} E_OPTION */
 function plain(name, value) {
   try {
     return structuredClone(value);
   } catch (error) {
-    throw wrongOption(name, `plain data as in JSON (${error.message.split('\n')[0]})`, value);
+    throw wrongOption(name, `${PLAIN} (${reasonOf(error)})`, value);
+  }
+}
+
+/** The same of a spec. @throws {TelarError} E_SPEC */
+function plainSpec(spec) {
+  try {
+    return structuredClone(spec);
+  } catch (error) {
+    throw new TelarError('E_SPEC', `spec: expected ${PLAIN} (${reasonOf(error)})`, { pointer: '' });
   }
 }
 
@@ -68,6 +81,10 @@ export function sheetOptions(spec, options, defaults) {
     ...fonts.map((font, i) => [`font ${i}`, copyOf(`options.fonts[${i}]`, font)]),
     ...Object.entries(images ?? {}).map(([name, bytes]) => [`image ${name}`, copyOf('options.images', bytes)]),
   ];
-  const asked = plain('options', { spec, name, format, templates, previous, images: images ? Object.keys(images) : null, fonts: fonts.length });
+  const asked = {
+    spec: plainSpec(spec),
+    previous: plain('options.previous', previous),
+    ...plain('options', { name, format, templates, images: images ? Object.keys(images) : null, fonts: fonts.length }),
+  };
   return { asked, others, shot, loading: loading({ timeoutMs }, defaults), onProgress, signal: checkSignal(signal) };
 }

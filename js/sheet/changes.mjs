@@ -2,10 +2,9 @@ import { pointerText } from '../shot/complain.mjs';
 import { specifiedIn } from './specified.mjs';
 import { MOST } from './table/basics.mjs';
 import { UNITS } from './table/index.mjs';
+import { byRest, byTable, isObject, own } from './written_out.mjs';
 
 /** What differs between two specs. They are as callers wrote them, and may be anything. */
-
-const isObject = (value) => typeof value === 'object' && value !== null;
 
 /** What items of lists are told apart by, so that one that moves is not a change. */
 const NAMES = {
@@ -19,8 +18,6 @@ const NAMES = {
   details: ['title'],
   callouts: ['text'],
 };
-
-const own = (object, key) => (isObject(object) && Object.hasOwn(object, key) ? object[key] : undefined);
 
 /** A length as millimetres; what is no number stays. */
 function millimetres(length, { units = 'cm' }) {
@@ -77,7 +74,7 @@ function matched(list, items, before) {
 }
 
 /**
- * JSON pointers of what a spec has new or otherwise than the one before: items of lists, and keys of objects.
+ * JSON pointers of what a spec has new or otherwise than the one before: items of lists by what they come to, and keys of objects.
  * @param {object} before as a caller wrote it
  * @param {object} after
  * @returns {string[]} of `after`; what is gone has none
@@ -90,10 +87,13 @@ export function changesBetween(before, after) {
       if (!isObject(value) && !isSame(value, before[list])) changes.push(pointerText([list]));
       continue;
     }
-    const resolved = (item, spec) => (RESOLVED[list] && isObject(item) ? RESOLVED[list](item, spec) : item);
+    const resolved = (item, spec) => (isObject(item) ? (own(RESOLVED, list)?.(item, spec) ?? item) : item);
     const old = matched(list, value, Array.isArray(before[list]) ? before[list] : []);
+    // What is as it was written stays, though the rest gives it another default, such as another first view.
+    const isKept = (item, last) =>
+      [byTable, byRest].some((whole) => isSame(resolved(whole(list, item, after), after), resolved(whole(list, last, before), before)));
     value.forEach((item, i) => {
-      if (!isSame(resolved(item, after), resolved(old[i], before))) changes.push(pointerText([list, i]));
+      if (!isKept(item, old[i])) changes.push(pointerText([list, i]));
     });
   }
   return changes;

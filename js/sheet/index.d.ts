@@ -70,7 +70,10 @@ export interface Sheet {
   info: {
     /** How many pictures were drawn. */
     pictures: number;
-    /** What stands elsewhere than wished, and what of the model does not fit the spec; `pointer` is into the spec. */
+    /**
+     * What the model's file and the pictures are warned of, what stands elsewhere than wished, and what of the model does not fit the spec; each once.
+     * `pointer` of W_SHEET_* is into the spec, of others as a picture's `info.warnings` has it.
+     */
     warnings: Warning[];
     /** Lengths measured on the model. */
     measures: Array<{ code: string; millimetres: number }>;

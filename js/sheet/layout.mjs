@@ -121,7 +121,7 @@ export class Layout {
   altOf(view, ratio) {
     const { name, style } = this.spec.header;
     return this.words(view.style === 'flat' ? 'alt.flat' : 'alt.view', {
-      name: name ?? style ?? this.facts.name ?? '',
+      name: name || style || this.facts.name || this.words('sheet'),
       title: this.titleOf(view),
       scale: scaleText(ratio),
     });

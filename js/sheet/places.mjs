@@ -33,16 +33,19 @@ async function visiblePoint(part, { kind, which, basis, variant, model, call }) 
 /**
  * The point of the model that an item of the spec means.
  * @param {object} item with one of `point`, `node`, `material`, `picture`
- * @param {{pointer: (string | number)[], basis: import('./scale.mjs').Basis, extent: import('./scale.mjs').Extent, variant: string,
+ * @param {{pointer: (string | number)[], extent: import('./scale.mjs').Extent,
+ *   picture: import('./scale.mjs').TrueView, variant: string,
  *   renderer: object, model: object, call: object}} context
  * @returns {Promise<import('./scale.mjs').Vec3>}
  * @throws {TelarError} E_SPEC
  */
-export async function pointOf(item, { pointer, extent, variant, renderer, model, call }) {
+export async function pointOf(item, { pointer, extent, picture, variant, renderer, model, call }) {
   if (item.point) return item.point;
-  const { basis, centre, width, height } = extent;
+  const { basis, centre } = extent;
   if (item.picture) {
     const [x, y] = item.picture;
+    // With the white around the garment, which is as wide on paper in every scale.
+    const [width, height] = [picture.paper.width, picture.paper.height].map((side) => (side * picture.ratio) / 1000);
     return centre.map((c, i) => c + (x - 0.5) * width * basis.right[i] + (0.5 - y) * height * basis.up[i]);
   }
   const kind = item.node !== undefined ? 'node' : 'material';

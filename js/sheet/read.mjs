@@ -50,6 +50,20 @@ function checkName(path, name, known, what, told = known) {
   });
 }
 
+/** The one name of a value that zod leaves out. */
+const LOST = '__proto__';
+
+/** That no named value is lost. @param {object} given that the schema accepts */
+function checkKeys({ words, anchors, measures = [], bill = [] }) {
+  const records = [
+    [['words'], words],
+    [['anchors'], anchors],
+    ...measures.map(({ values }, i) => [['measures', i, 'values'], values]),
+    ...bill.map(({ colours }, i) => [['bill', i, 'colours'], colours]),
+  ];
+  for (const [path, record = {}] of records) if (Object.hasOwn(record, LOST)) throw wrong([...path, LOST], 'another name', record[LOST]);
+}
+
 /** A variant is one of the model's, or "": the file's own materials. */
 const checkVariant = (path, { variant }, variants) => checkName([...path, 'variant'], variant, ['', ...variants], 'material variant', variants);
 
@@ -108,7 +122,7 @@ function checkMeasure(measure, path, { header, anchors }) {
     throw wrong([...path, 'girth', 'normal'], 'a direction, not [0, 0, 0]', measure.girth.normal);
   if (measure.points && measure.points.length < 2) throw wrong([...path, 'points'], 'a list of 2 to 64 points', measure.points);
   for (const size of Object.keys(measure.values)) checkName([...path, 'values', size], size, sizes, 'size in spec.header.sizes');
-  if (measure.grade !== undefined && measure.values[baseSize] === undefined)
+  if (measure.grade !== undefined && !(baseSize !== undefined && Object.hasOwn(measure.values, baseSize)))
     throw wrong([...path, 'grade'], 'a length in `values` for the size spec.header.baseSize, from which it grows', measure.grade);
   const negative = sizes.find((size) => specifiedIn(measure, size, header) < 0);
   if (negative !== undefined)
@@ -161,6 +175,7 @@ export function readSpec(given, { variants = [] } = {}) {
     throw new TelarError(ABOUT.code, `spec: expected at most ${TEXT_MAX} characters of text in all, got ${textLength(given)}`, { pointer: '' });
   const result = specSchema.safeParse(given);
   if (!result.success) throw complaint(result.error.issues, given, specSchema, { about: ABOUT });
+  checkKeys(given);
   const spec = completed(result.data);
   const names = spec.views.map(({ name }) => name);
   checkUnique(spec.views, 'name', ['views']);

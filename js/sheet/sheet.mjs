@@ -5,6 +5,7 @@ import { checkCharacters, checkText, readFonts } from './fonts.mjs';
 import { readImages } from './images.mjs';
 import { Layout } from './layout.mjs';
 import { lengthOf } from './lengths.mjs';
+import { oneLine } from './names.mjs';
 import { readOptions } from './options.mjs';
 import { wrongValue } from '../shot/complain.mjs';
 import { pagesOf, pngOf } from './output.mjs';
@@ -21,6 +22,7 @@ import { pointOf } from './places.mjs';
 import { ABOUT, readSpec } from './read.mjs';
 import { Squares, colourListOf } from './squares.mjs';
 import { shownBy } from './shown.mjs';
+import { eachOnce } from './warnings.mjs';
 import { wordsOf } from './words.mjs';
 
 /** Makes a sheet: reads the spec, lays out its pages, draws their pictures together, and has them set. */
@@ -106,7 +108,8 @@ export async function layOut(source, given, settings) {
   const { renderer, fonts: extra, resolve, templates, shot, previous, limits, timeoutMs, signal } = settings;
   const call = { signal, ...(timeoutMs !== undefined && { timeoutMs }) };
   const model = source?.facts ? source : await renderer.load(source, { signal });
-  const facts = await renderer.factsOf(model, {}, { signal });
+  const told = await renderer.factsOf(model, {}, { signal });
+  const facts = { ...told, name: oneLine(told.name) };
   const spec = readSpec(given, facts);
   const shown = await shownBy(spec.views, model, { renderer, facts, signal });
   const words = wordsOf(spec);
@@ -124,8 +127,8 @@ export async function layOut(source, given, settings) {
     const layout = new Layout({ spec, facts, shown, words, pictures, engine, changed, images, fonts: fonts.families });
     layout.squares = new Squares({ model, renderer, call, list: await colourListOf(spec, { resolve, fonts }) });
     layout.colours = [];
-    layout.pointOf = (item, view, pointer) =>
-      pointOf(item, { pointer, extent: layout.extent(view), variant: view.variant, renderer, model: layout.seen(view).model, call });
+    layout.pointOf = (item, view, { pointer, picture }) =>
+      pointOf(item, { pointer, picture, extent: layout.extent(view), variant: view.variant, renderer, model: layout.seen(view).model, call });
     const warn = (...told) => layout.warn(...told);
     layout.lengthOf = (measure, id) => {
       const { variant } = spec.views.find(({ name }) => name === measure.view);
@@ -155,10 +158,17 @@ export async function createSheet(source, given, options = {}) {
     const { format } = settings;
     const files = await filesOf(engine, documentOf(layout, sections, images), { format, ppi: layout.spec.ppi });
     const milliseconds = { layout: laidOut - start, pictures: pictured - laidOut, typeset: performance.now() - pictured, total: performance.now() - start };
-    return { format, files, info: { pictures: drawn.size, warnings: layout.warnings, measures: measuresOf(layout), swatches: layout.colours, milliseconds } };
+    return {
+      format,
+      files,
+      info: { pictures: drawn.size, warnings: warningsOf(layout, drawn), measures: measuresOf(layout), swatches: layout.colours, milliseconds },
+    };
   } finally {
     engine.close();
   }
 }
+
+/** What of the model, of the spec and of the pictures is to be told. @param {Map<string, {info?: object}>} drawn flats have no info */
+const warningsOf = ({ facts, warnings }, drawn) => eachOnce([facts.warnings ?? [], warnings, ...[...drawn.values()].map(({ info }) => info?.warnings ?? [])]);
 
 const measuresOf = ({ measured = [] }) => measured.filter(({ length }) => length !== undefined).map(({ code, length }) => ({ code, millimetres: length }));

@@ -4,7 +4,7 @@
 export interface SheetSpec {
   /** Language of its headings; en and es are known, others by `words`. @default "en" */
   language?: string;
-  /** Headings in place of those of the language, by the keys of js/sheet/strings/en.json. */
+  /** Headings in place of those of the language, by the keys of js/sheet/strings/en.json; "" leaves it as it is. */
   words?: Record<string, string>;
   /** Unit of the lengths in this spec, but for points and `size`, which are metres. @default "cm" */
   units?: 'cm' | 'mm' | 'inch';

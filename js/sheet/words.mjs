@@ -10,7 +10,7 @@ const read = (language) => JSON.parse(readFileSync(new URL(`strings/${language}.
 export const LANGUAGES = Object.freeze(['en', 'es']);
 
 /**
- * The headings of a spec's language: its own words, those of the language, those of English.
+ * The headings of a spec's language: its own words but empty ones, those of the language, those of English.
  * @param {{language: string, words: Record<string, string>}} spec
  * @returns {(key: string, values?: Record<string, string>) => string}
  * @throws {TelarError} E_SPEC
@@ -29,6 +29,8 @@ export function wordsOf({ language, words }) {
       `spec.language: expected ${LANGUAGES.map((name) => `"${name}"`).join(', ')}, or another with its headings in spec.words, got "${language}"`,
       { pointer: '/language' },
     );
-  const known = { ...english, ...(LANGUAGES.includes(base) && read(base)), ...words };
-  return (key, values = {}) => known[key].replaceAll(/\{(\w+)\}/g, (_, name) => values[name] ?? '');
+  const known = { ...english, ...(LANGUAGES.includes(base) && read(base)) };
+  const filled = (text, values) => text.replaceAll(/\{(\w+)\}/g, (_, name) => (Object.hasOwn(values, name) ? (values[name] ?? '') : ''));
+  // A heading or the text of a picture is never empty: a PDF/UA has none.
+  return (key, values = {}) => filled(words[key] ?? '', values) || filled(known[key], values);
 }

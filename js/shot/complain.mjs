@@ -23,13 +23,19 @@ export function pathText(path, { name } = SHOT) {
 /** JSON pointer (RFC 6901). */
 export const pointerText = (path) => path.map((key) => `/${String(key).replaceAll('~', '~0').replaceAll('/', '~1')}`).join('');
 
+/** Lists within each other that are looked into: with more, a message is cut anyway. */
+const MAX_DEPTH = MAX_SHOWN / 2;
+
 /** A value as it may stand in a message: short, without control characters. */
-export function shown(value) {
+export const shown = (value) => shownWithin(value, 0);
+
+/** The same within so many lists. */
+function shownWithin(value, depth) {
   if (value === undefined) return 'nothing';
   if (typeof value === 'number' || value === null || typeof value === 'boolean') return String(value);
   if (typeof value === 'string') return cut(JSON.stringify(value));
   if (ArrayBuffer.isView(value)) return `${value.byteLength} bytes`;
-  if (Array.isArray(value)) return cut(`[${value.map(shown).join(', ')}]`);
+  if (Array.isArray(value)) return depth > MAX_DEPTH ? '[...]' : cut(`[${value.map((item) => shownWithin(item, depth + 1)).join(', ')}]`);
   if (typeof value === 'object')
     return cut(
       `{${Object.keys(value)

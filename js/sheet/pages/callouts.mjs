@@ -84,7 +84,7 @@ async function pagesOfView(layout, view, callouts) {
   const picture = { file, width, height, x: box.x + (box.width - width) / 2, y: (box.height - height) / 2 };
   const labels = [];
   for (const label of labelsOf(layout, callouts, columns)) {
-    const point = await layout.pointOf(label, view, ['callouts', label.id]);
+    const point = await layout.pointOf(label, view, { pointer: ['callouts', label.id], picture: seen });
     const [x, y] = seen.paperOf(point);
     const site = [picture.x + x, picture.y + y];
     if (!isWithin({ x: site[0], y: site[1], width: 0, height: 0 }, picture))

@@ -73,7 +73,7 @@ export async function coverPage(layout) {
       kind: 'cover',
       break: false,
       stacked: !page.isWide,
-      title: header.name ?? header.style ?? (layout.facts.name || words('sheet')),
+      title: header.name || header.style || layout.facts.name || words('sheet'),
       description: header.description ?? '',
       figure: rowOfViews(layout, views, box),
       facts: FIELDS.filter((field) => values[field]).map((field) => [words(field), values[field]]),

@@ -53,13 +53,14 @@ function checkFits({ id, size, height = size, scale }, ratio, room) {
   );
 }
 
-/** @param {{most: {width: number, height: number}, whole: {width: number, height: number}}} rooms most: of one whose scale is to fit; whole: of one alone */
-async function cellOf(layout, view, detail, { most, whole }) {
+/** @param {{most: {width: number, height: number}, whole: {width: number, height: number}, parent: object}} rooms most: of one whose scale is to fit; whole: of one alone;
+ *   parent: of parentOf */
+async function cellOf(layout, view, detail, { most, whole, parent }) {
   const { words, pictures } = layout;
   const size = { width: detail.size, height: detail.height ?? detail.size };
   const ratio = detail.scale === 'fit' ? fittingRatio([size], most) : ratioOf(detail.scale);
   if (detail.scale !== 'fit') checkFits(detail, ratio, whole);
-  const centre = await layout.pointOf(detail, view, ['details', detail.id]);
+  const centre = await layout.pointOf(detail, view, { pointer: ['details', detail.id], picture: parent.picture.view });
   const { basis } = layout.extent(view);
   const { file, width, height } = pictures.ask({ basis, centre, ...size }, { ratio, ...layout.seen(view), style: detail.style, margin: 0 });
   return {
@@ -108,14 +109,18 @@ const CORNERS = [
   [-1, 1],
 ];
 
-/** The view with rings and frames at the places of its details. */
-function parentOf(layout, view, cells, width) {
-  const { page } = layout;
-  const height = page.box.height - HEADING;
+/** The picture of the view beside its details, with the room beneath it. */
+function parentOf(layout, view, width) {
+  const height = layout.page.box.height - HEADING;
   const extent = layout.extent(view);
   const caption = layout.captionRoom([view], width);
   const ratio = fittingRatio([extent], { width: width - 4, height: height - caption - 5 });
-  const { file, width: wide, height: high, view: seen } = layout.pictures.ask(extent, { ratio, ...layout.seen(view) });
+  return { caption, ratio, picture: layout.pictures.ask(extent, { ratio, ...layout.seen(view) }) };
+}
+
+/** The view with rings and frames at the places of its details. */
+function markedOf(layout, view, cells, { width, parent: { caption, ratio, picture } }) {
+  const { file, width: wide, height: high, view: seen } = picture;
   const x = (width - wide) / 2;
   const boxes = cells.map(({ centre, size }) => {
     const [px, py] = seen.paperOf(centre);
@@ -161,8 +166,9 @@ export async function detailPages(layout) {
       least: page.isWide ? SIDE.wide : SIDE.upright,
     });
     const whole = { width: room, height: page.box.height - HEADING - TITLE };
+    const parent = parentOf(layout, view, width);
     const cells = [];
-    for (const detail of own) cells.push(await cellOf(layout, view, detail, { most, whole }));
+    for (const detail of own) cells.push(await cellOf(layout, view, detail, { most, whole, parent }));
     const widest = Math.max(...cells.map(({ picture }) => picture.width));
     const columns = Math.max(1, Math.floor((room + GAP) / (widest + GAP)));
     sections.push({
@@ -172,7 +178,7 @@ export async function detailPages(layout) {
       note: layout.titleOf(view),
       gap: GAP,
       columns: Math.min(columns, cells.length),
-      figure: parentOf(layout, view, cells, width),
+      figure: markedOf(layout, view, cells, { width, parent }),
       cells: cells.map(({ centre, size, ...cell }) => cell),
     });
   }

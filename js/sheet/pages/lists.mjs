@@ -19,7 +19,7 @@ export function billPages(layout) {
   const { spec, words, page } = layout;
   const plain = (key, width) => ({ key, name: words(key), width });
   const item = { key: 'item', name: words('item'), width: 2, cell: (line) => ({ kind: 'strong', text: line.item }) };
-  const colour = ({ name }) => ({ key: name, name, width: 1.2, cell: ({ colours }) => colours[name] });
+  const colour = ({ name }) => ({ key: name, name, width: 1.2, cell: ({ colours }) => (Object.hasOwn(colours, name) ? colours[name] : '') });
   const [beside, apart] = page.isWide ? COLOURS.wide : COLOURS.upright;
   const isBeside = spec.colourways.length <= beside;
   const columns = [

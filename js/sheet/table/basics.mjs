@@ -3,7 +3,7 @@ import { LINES, number, text, vector } from '../../shot/table/rows.mjs';
 /** Rows that many parts of a spec share, and how much of each it may hold. */
 
 /** Most characters of a name, of a cell of a table, and of a paragraph. */
-const NAME_MAX = 120;
+export const NAME_MAX = 120;
 const CELL_MAX = 500;
 const PARAGRAPH_MAX = 4000;
 
@@ -34,8 +34,12 @@ export const cell = (doc, rest = {}) => text(doc, `a text of at most ${CELL_MAX}
 export const paragraph = (doc, rest = {}) =>
   text(doc, `a text of at most ${PARAGRAPH_MAX} characters`, { max: PARAGRAPH_MAX, pattern: LINES, optional: true, ...rest });
 
+/** Largest length in the spec's `units`. */
+export const LENGTH_MAX = 1e5;
+
 /** A length in the spec's `units`. */
-export const lengthIn = (doc, rest = {}) => number(doc, { what: 'a length', unit: "the spec's `units`", min: -1e5, max: 1e5, optional: true, ...rest });
+export const lengthIn = (doc, rest = {}) =>
+  number(doc, { what: 'a length', unit: "the spec's `units`", min: -LENGTH_MAX, max: LENGTH_MAX, optional: true, ...rest });
 
 /** A place in the model, metres. */
 export const place = (doc, rest = {}) => vector(doc, rest);

@@ -24,7 +24,7 @@ const LANGUAGE = 'a language tag such as "en", "es" or "pt-BR"';
 export const SHEET = object('What a tech sheet says', {
   language: text('Language of its headings; en and es are known, others by `words`', LANGUAGE, { pattern: /^[a-z]{2,3}(?:-[A-Z]{2})?$/u, default: 'en' }),
   words: record(
-    'Headings in place of those of the language, by the keys of js/sheet/strings/en.json',
+    'Headings in place of those of the language, by the keys of js/sheet/strings/en.json; "" leaves it as it is',
     cell('A heading', { optional: false }),
     `at most ${MOST.named} headings`,
     {

@@ -4,6 +4,7 @@ import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { after, test } from 'node:test';
 import '../api/support/real.mjs';
+import { editedGlb } from '../../fixtures/edited_glb.mjs';
 import { squareModel } from '../sheet/square.mjs';
 import { runFake } from './fake.mjs';
 
@@ -75,4 +76,34 @@ test('what is not shared by the pictures is refused before anything is drawn', a
     /shot\.camera: a sheet does not take it; give `view`, or `azimuth` and `elevation`, to the views of the spec\. Of a shot it takes environment, .*E_OPTION/,
   );
   assert.ok(!existsSync(at('camera.pdf')));
+});
+
+test('warnings of the model, of the spec and of pictures are told once each, and refused by --fail-on warning before a file is written', async () => {
+  const bytes = editedGlb(readFileSync(at('square.glb')), (json) => (json.extensionsUsed = [...(json.extensionsUsed ?? []), 'VENDOR_unknown']));
+  writeFileSync(at('unknown.glb'), bytes);
+  const spec = put('rounded.json', { header: { style: 'TL-01' }, units: 'mm', printedUnits: 'cm', artwork: [{ name: 'print', width: 10.00001 }] });
+  const runOn = async (model, ...args) =>
+    runFake(['sheet', at(model), '--set', 'environment=none', '--set', 'quality=draft', '--spec', spec, ...args], {
+      api: await import('../../../js/index.mjs'),
+    });
+  const { exit, stdout, stderr } = await runOn('unknown.glb', '-o', at('unknown.pdf'), '--json');
+  assert.equal(exit, 0, stderr);
+  const codes = ['W_EXT_IGNORED', 'W_SHEET_ROUND', 'W_EXPOSURE'];
+  assert.deepEqual(
+    JSON.parse(stdout).info.warnings.map(({ code }) => code),
+    codes,
+  );
+  for (const code of codes) assert.equal(stderr.split(code).length, 2, `${code} in ${stderr}`);
+  const init = await runOn('unknown.glb', '--init', '-o', at('unknown.json'));
+  assert.match(init.stderr, /W_EXT_IGNORED/);
+  // White paper about a grey square: of the spec alone there is something to tell.
+  writeFileSync(
+    at('grey.glb'),
+    editedGlb(readFileSync(at('square.glb')), (json) => (json.materials[0].pbrMetallicRoughness.baseColorFactor = [0.2, 0.2, 0.2, 1])),
+  );
+  const strict = await runOn('grey.glb', '-o', at('strict.pdf'), '--fail-on', 'warning', '--json');
+  const { error } = JSON.parse(strict.stdout);
+  assert.deepEqual([strict.exit, error.code, error.pointer], [3, 'E_WARNING', '/artwork/0/width']);
+  assert.match(error.message, /^W_SHEET_ROUND: /);
+  assert.ok(!existsSync(at('strict.pdf')));
 });

@@ -3,6 +3,7 @@ import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import { pictureKey } from '../../../js/index.mjs';
 import { FORMATS } from '../../../js/shot/table/output.mjs';
+import { editedGlb } from '../../fixtures/edited_glb.mjs';
 import { gradient } from '../../fixtures/environment.mjs';
 import { BROKEN_MODELS } from '../../fixtures/index.mjs';
 import { MODELS, SHOT, at, bytesOf, openPool, post, postForm, problemOf, serve } from './support.mjs';
@@ -180,6 +181,26 @@ test('the tag of an answer is the key of the picture: known beforehand, and aske
 /** Jobs that workers have done. */
 const jobs = async () =>
   [...(await (await fetch(new URL('/metrics', url))).text()).matchAll(/^telar_work_seconds_count\{.*\} (\d+)$/gm)].reduce((sum, [, n]) => sum + Number(n), 0);
+
+test('warnings of a sheet are named in a header: of the model, the spec and the pictures', async () => {
+  const other = editedGlb(glb, (json) => (json.extensionsUsed = [...(json.extensionsUsed ?? []), 'VENDOR_unknown']));
+  const spec = {
+    header: { style: 'TL-01' },
+    measures: [
+      {
+        code: 'A',
+        description: 'off',
+        points: [
+          [9, 9, 9],
+          [0, 0, 0],
+        ],
+      },
+    ],
+  };
+  const response = await postForm(url, '/v1/sheets', { model: other, spec });
+  await bytesOf(response);
+  assert.deepEqual([response.status, response.headers.get('telar-warnings')], [200, 'W_EXT_IGNORED, W_SHEET_POINT']);
+});
 
 test('warnings of a model are named in a header', async () => {
   const broken = await BROKEN_MODELS['broken-required-extensions']();

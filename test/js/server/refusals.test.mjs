@@ -64,6 +64,12 @@ const REFUSED = {
   ],
   'a shot that is no JSON': [() => post(url, THUMBNAILS, glb, { shot: '{"size":' }), 400, 'E_REQUEST', /^request\.shot: it is not JSON \(/],
   'a shot that is no object': [() => post(url, THUMBNAILS, glb, { shot: '[1]' }), 400, 'E_REQUEST', 'request.shot: expected an object, got [1]'],
+  'a spec that is nested too deep': [
+    () => postForm(url, '/v1/sheets', { model: glb, spec: `{"header":${'{"a":'.repeat(50_000)}0${'}'.repeat(50_000)}}` }),
+    400,
+    'E_SPEC',
+    'spec: expected plain data as in JSON (Maximum call stack size exceeded)',
+  ],
   'a key of a shot that sheets do not take': [
     () => post(url, '/v1/sheets', glb, { shot: { ghost: [] } }),
     400,

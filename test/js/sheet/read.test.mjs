@@ -84,6 +84,24 @@ const WRONG = [
   ],
   [{ bill: [{ item: 'a', colours: { 'No.1': 'x' } }] }, '/bill/0/colours/No.1', 'spec.bill[0].colours["No.1"]: there is no colourway "No.1"; there is none'],
   [{ bill: [{ item: 'a', colours: { Navy: 'x' } }] }, '/bill/0/colours/Navy', 'spec.bill[0].colours.Navy: there is no colourway "Navy"; there is none'],
+  // Of the names of JavaScript's own properties none is taken for a value that is there, and the one that would be lost is refused.
+  [
+    measure({ grade: 2 }, { header: { sizes: ['constructor'], baseSize: 'constructor' } }),
+    '/measures/0/grade',
+    'spec.measures[0].grade: expected a length in `values` for the size spec.header.baseSize, from which it grows, got 2',
+  ],
+  [JSON.parse('{"anchors": {"__proto__": [0, 0, 0]}}'), '/anchors/__proto__', 'spec.anchors.__proto__: expected another name, got [0, 0, 0]'],
+  [JSON.parse('{"words": {"__proto__": "x"}}'), '/words/__proto__', 'spec.words.__proto__: expected another name, got "x"'],
+  [
+    measure({ values: JSON.parse('{"__proto__": 40}') }, { header: { sizes: ['__proto__'] } }),
+    '/measures/0/values/__proto__',
+    'spec.measures[0].values.__proto__: expected another name, got 40',
+  ],
+  [
+    { colourways: [{ name: '__proto__' }], bill: [{ item: 'a', colours: JSON.parse('{"__proto__": "x"}') }] },
+    '/bill/0/colours/__proto__',
+    'spec.bill[0].colours.__proto__: expected another name, got "x"',
+  ],
   [{ language: 'qq' }, '/language', 'spec.language: expected "en", "es", or another with its headings in spec.words, got "qq"'],
   [{ words: { nothing: 'x' } }, '/words', 'spec.words: there is no heading "nothing"; js/sheet/strings/en.json lists them'],
   [[], '', 'spec: expected an object, got []'],
@@ -109,6 +127,11 @@ test('hostile specs end in an error, whatever their size', () => {
   let deep = {};
   for (let i = 0; i < 5000; ++i) deep = { a: deep };
   assert.equal(refusal({ header: deep })[0], '/header/a');
+  let lists = [];
+  for (let i = 0; i < 50_000; ++i) lists = [lists];
+  assert.equal(refusal({ header: lists })[0], '/header');
+  assert.match(refusal({ header: lists })[1], /^spec\.header: expected an object, got \[{30}[^a-z]{10,30}$/);
+  assert.equal(refusal({ anchors: { hem: lists } })[0], '/anchors/hem');
   assert.equal(refusal(JSON.parse('{"header": {"__proto__": 1}}'))[0], '/header/__proto__');
 });
 

@@ -10,7 +10,8 @@ import { readOptions } from '../../../js/sheet/options.mjs';
 import { layOut } from '../../../js/sheet/sheet.mjs';
 import { strip } from '../api/support/strip.mjs';
 import { judgedFolder } from './judged_folder.mjs';
-import { CHEAP, openSquare } from './square.mjs';
+import { editedGlb } from '../../fixtures/edited_glb.mjs';
+import { CHEAP, openSquare, squareModel } from './square.mjs';
 
 const { folder, run } = judgedFolder('sheet');
 
@@ -295,4 +296,76 @@ test('where Typst is not installed, the error says what to install', () => {
     await Engine.create({ fonts: await bundledFonts() }).catch((error) => console.log(error.code, error.message));`;
   const { stdout } = spawnSync(process.execPath, ['--input-type=module', '-e', script], { encoding: 'utf8' });
   assert.match(stdout, /^X_LIBRARY_MISSING .*npm install @myriaddreamin\/typst-ts-node-compiler/);
+});
+
+test('a sheet without a name is set: cleared names fall through to what there is, and to the words of the sheet', async () => {
+  const titleOf = async (garment, spec) => {
+    const { sections, engine } = await layOut(garment, spec, readOptions({ renderer, shot: CHEAP }));
+    engine.close();
+    return sections[0].title;
+  };
+  assert.equal(await titleOf(model, { header: { name: '', style: 'TL-01' } }), 'TL-01');
+  assert.equal(await titleOf(model, { header: { name: '', style: '' } }), 'Tech sheet');
+  const spec = firstSpec(model.facts);
+  assert.equal(spec.header.name, '');
+  const { files } = await sheet({ ...spec, words: { measures: '', 'alt.view': '{name}', 'alt.flat': '' }, bill: [{ item: 'Jersey' }] });
+  assert.equal(files[0].subarray(0, 5).toString(), '%PDF-');
+  const named = await renderer.load(editedGlb(await squareModel(), (json) => (json.scenes[0].name = `${'long '.repeat(40)}\nname`)));
+  assert.equal(await titleOf(named, {}), `${'long '.repeat(24).trim()}…`);
+});
+
+test('a place in the picture is one of the picture that is printed, to its corners, on every paper', async () => {
+  const places = [
+    [0.02, 0.02],
+    [0.5, 0.5],
+    [0.3, 0.9],
+    [1, 1],
+    [1e-6, 1],
+  ];
+  for (const size of ['A3', 'A4']) {
+    const spec = {
+      header: { style: 'TL-01' },
+      paper: { size },
+      callouts: places.map((picture, i) => ({ text: `${i + 1}`, picture })),
+      details: places.map((picture, i) => ({ title: `${i + 1}`, picture, size: 0.02 })),
+    };
+    const { sections, engine } = await layOut(model, spec, readOptions({ renderer, shot: CHEAP }));
+    engine.close();
+    const figuresOf = (key) => sections.map(({ figure }) => figure).filter((figure) => figure?.[key].length > 0);
+    const partsOf = (figure, [x, y]) => {
+      const [picture] = figure.pictures;
+      return [(x - picture.x) / picture.width, (y - picture.y) / picture.height];
+    };
+    const called = figuresOf('sites').flatMap((figure) => figure.sites.map((site) => partsOf(figure, site)));
+    const ringed = figuresOf('rings').flatMap((figure) => figure.rings.map((ring) => partsOf(figure, [ring.x + ring.width / 2, ring.y + ring.height / 2])));
+    for (const found of [called, ringed]) {
+      assert.equal(found.length, places.length);
+      // Sums of doubles.
+      for (const place of places)
+        assert.ok(
+          found.some((at) => Math.hypot(at[0] - place[0], at[1] - place[1]) < 1e-9),
+          `${place} among ${found} on ${size}`,
+        );
+    }
+  }
+});
+
+test('colourways and sizes may have the names of JavaScript’s own properties', async () => {
+  for (const name of ['constructor', 'toString', 'hasOwnProperty', 'valueOf', '__proto__']) {
+    const isKey = name !== '__proto__';
+    const spec = {
+      header: { style: 'TL-01', sizes: [name], baseSize: name },
+      words: { 'alt.logo': '{constructor}{brand}' },
+      colourways: [{ name, swatches: [{ name: 'Red', color: '#f00' }] }],
+      bill: [{ item: 'Jersey' }, { item: 'Rib', colours: isKey ? { [name]: 'Scarlet' } : {} }],
+      measures: [{ code: 'A', description: 'a', values: isKey ? { [name]: 40 } : {} }],
+    };
+    const { sections, engine, layout } = await layOut(model, spec, readOptions({ renderer, shot: CHEAP }));
+    engine.close();
+    const cellsOf = (title) => sections.find((section) => section.title === title).rows.map(({ cells }) => cells.slice(1));
+    assert.deepEqual(cellsOf('Bill of materials'), isKey ? [[''], ['Scarlet']] : [[], []], name);
+    assert.deepEqual(cellsOf('Measurements')[0].at(-1), { kind: 'strong', text: isKey ? '40.0' : '' }, name);
+    assert.equal(layout.words('alt.logo', { brand: 'Telar' }), 'Telar');
+    await sheet(spec, { format: 'svg' });
+  }
 });

@@ -100,6 +100,12 @@ test('every language has every heading with the same places, and every care symb
   assert.equal(wordsOf({ language: 'en', words: {} })('reduced', { scale: '1:2' }), 'Shown at 1:2');
   // Another language brings its own; what it leaves out is English.
   assert.equal(wordsOf({ language: 'fr', words: { page: 'Page' } })('bill'), 'Bill of materials');
+  // What is cleared, or comes to nothing, is that of the language: a PDF/UA has no empty heading and no picture without a text.
+  const cleared = wordsOf({ language: 'es', words: { bill: '', 'alt.logo': '{brand}' } });
+  assert.deepEqual(
+    [cleared('bill'), cleared('alt.logo', { brand: '' }), cleared('alt.logo', { brand: 'Telar' })],
+    ['Lista de materiales', 'Logotipo de ', 'Telar'],
+  );
 });
 
 test('care symbols are vectors without text', () => {
@@ -171,6 +177,67 @@ test('points of measure are compared by their lengths and places', () => {
   // Centimetres where nothing says another unit.
   const { units, ...rest } = spec;
   assert.deepEqual(changesBetween(rest, spec), ['/units']);
+});
+
+test('defaults that are written out are no changes', () => {
+  const spec = {
+    views: [{ name: 'front' }, { name: 'flat', style: 'flat', azimuth: 10 }],
+    measures: [
+      {
+        code: 'A',
+        description: 'a',
+        points: [
+          [0, 0, 0],
+          [0, 1, 0],
+        ],
+      },
+      { code: 'B', description: 'b', girth: { point: [0, 0, 0] } },
+    ],
+    callouts: [{ text: 'a', node: 'x' }],
+    details: [
+      { title: 'a', node: 'x' },
+      { title: 'b', node: 'x', view: 'flat', shape: 'rectangle' },
+    ],
+    colourways: [{ name: 'Navy', variant: 'navy' }, { name: 'Own' }],
+    swatches: [{ title: 'a', material: 0 }],
+    bill: [{ item: 'a' }],
+  };
+  const written = {
+    views: [
+      { view: 'front', scale: 'fit', style: 'render', ghost: [], explode: 0, variant: 'navy' },
+      { scale: 'fit', explode: 0, title: undefined },
+    ],
+    measures: [
+      { along: 'straight', times: 1, closed: false, join: 0, view: 'front', values: {} },
+      { girth: { point: [0, 0, 0], normal: [0, 1, 0], tight: false } },
+    ],
+    callouts: [{ view: 'front' }],
+    details: [
+      { view: 'front', size: 0.08, shape: 'circle', scale: 'fit', style: 'render', height: undefined },
+      { style: 'flat', height: 0.08 },
+    ],
+    colourways: [{ swatches: [] }, { variant: '' }],
+    swatches: [{ variant: 'navy', scale: '1:2', draped: true }],
+    bill: [{ colours: {} }],
+  };
+  const after = Object.fromEntries(Object.entries(spec).map(([list, items]) => [list, items.map((item, i) => ({ ...item, ...written[list][i] }))]));
+  assert.notDeepEqual(after, spec);
+  assert.deepEqual([changesBetween(spec, after), changesBetween(after, spec)], [[], []]);
+  // Each of these is another value than that of the table, or of the rest of the spec.
+  const others = {
+    views: [{ scale: '1:5' }, { view: 'front', azimuth: undefined }],
+    measures: [{ along: 'surface' }, { girth: { point: [0, 0, 0], tight: true } }],
+    callouts: [{ view: 'flat' }],
+    details: [{ style: 'flat' }, { height: 0.1 }],
+    colourways: [{ variant: '' }, { variant: 'navy' }],
+    swatches: [{ variant: '' }],
+    bill: [{ colours: { Navy: 'x' } }],
+  };
+  for (const [list, all] of Object.entries(others))
+    all.forEach((other, i) => {
+      const changed = { ...spec, [list]: spec[list].map((item, k) => (k === i ? { ...item, ...other } : item)) };
+      assert.ok(changesBetween(spec, changed).includes(`/${list}/${i}`), `${list} ${i}`);
+    });
 });
 
 test('of a last revision no more sizes are looked at than a spec has', () => {
