@@ -1,10 +1,12 @@
 import { TelarError } from '../error/index.mjs';
 import { pathText, pointerText } from '../shot/complain.mjs';
+import { CHARACTERS } from '../shot/table/rows.mjs';
 import { ABOUT } from './read.mjs';
 
-/** Which characters TrueType and OpenType fonts have (OpenType 1.9, "cmap"). */
+/** Which characters TrueType and OpenType fonts have (OpenType 1.9, "cmap"), and what their families are called ("name"). */
 
-const wrongFont = (i) => new TelarError('E_OPTION', `options.fonts[${i}]: expected the bytes of a TrueType or OpenType font with a Unicode character map`);
+const wrongFont = (i) =>
+  new TelarError('E_OPTION', `options.fonts[${i}]: expected the bytes of a TrueType or OpenType font with a Unicode character map and a name of its family`);
 
 const tagAt = (view, offset) => String.fromCharCode(...[0, 1, 2, 3].map((k) => view.getUint8(offset + k)));
 
@@ -66,19 +68,47 @@ export function charactersOf(font) {
   return ascending(full ? ranges12(view, full.at) : ranges4(view, tables.find(({ format }) => format === 4).at));
 }
 
-/** Name of a font's family: the typographic one where it has one. */
+const utf16 = new TextDecoder('utf-16be', { fatal: true });
+const macRoman = new TextDecoder('macintosh');
+
+/** Platforms of names in the order in which they are looked at: Windows, Unicode and Macintosh, with the encodings that are known of each. */
+const PLATFORMS = [
+  { platform: 3, encodings: [0, 1, 10], decoder: utf16 },
+  { platform: 0, encodings: [0, 1, 2, 3, 4, 5, 6], decoder: utf16 },
+  { platform: 1, encodings: [0], decoder: macRoman },
+];
+
+/** The typographic family, and the family of four styles that older programs know. */
+const FAMILIES = [16, 1];
+
+/** A name that is whole; undefined where it is empty, or no text. */
+function nameOf(bytes, decoder) {
+  try {
+    const name = decoder.decode(bytes);
+    return name !== '' && CHARACTERS.test(name) ? name : undefined;
+  } catch {
+    return undefined;
+  }
+}
+
+/** Name of a font's family: the typographic one where it has one. @throws where it has none */
 function familyOf(font) {
   const view = new DataView(font.buffer, font.byteOffset, font.byteLength);
   const at = tableAt(view, 'name');
+  if (at === undefined) throw new RangeError('no table of names');
   const strings = at + view.getUint16(at + 4);
-  const records = Array.from({ length: view.getUint16(at + 2) }, (_, i) => at + 6 + 12 * i);
-  const read = (wanted) => {
-    const record = records.find((each) => view.getUint16(each) === 3 && view.getUint16(each + 6) === wanted);
-    if (record === undefined) return undefined;
-    const from = strings + view.getUint16(record + 10);
-    return String.fromCharCode(...Array.from({ length: view.getUint16(record + 8) / 2 }, (_, i) => view.getUint16(from + 2 * i)));
-  };
-  return read(16) ?? read(1);
+  const records = Array.from({ length: view.getUint16(at + 2) }, (_, i) => {
+    const [platform, encoding, , id, length, offset] = Array.from({ length: 6 }, (_, k) => view.getUint16(at + 6 + 12 * i + 2 * k));
+    return { platform, encoding, id, bytes: font.subarray(strings + offset, strings + offset + length) };
+  });
+  for (const wanted of FAMILIES)
+    for (const { platform, encodings, decoder } of PLATFORMS)
+      for (const record of records) {
+        if (record.id !== wanted || record.platform !== platform || !encodings.includes(record.encoding)) continue;
+        const name = nameOf(record.bytes, decoder);
+        if (name !== undefined) return name;
+      }
+  throw new RangeError('no name of a family');
 }
 
 /**

@@ -117,6 +117,7 @@ const JS_LAYERS = {
       'js/error',
       'js/shot',
       'js/api/atomic_file.mjs',
+      'js/api/fail_on.mjs',
       'js/api/sha256.mjs',
       'js/compare',
       'js/analyse',
