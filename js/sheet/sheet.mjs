@@ -108,7 +108,7 @@ export async function layOut(source, given, settings) {
   const model = source?.facts ? source : await renderer.load(source, { signal });
   const facts = await renderer.factsOf(model, {}, { signal });
   const spec = readSpec(given, facts);
-  const shown = await shownBy(spec.views, model, { renderer, facts, signal });
+  const shown = await shownBy(spec.views, model, { signal });
   const words = wordsOf(spec);
   const bundled = await bundledFonts();
   const fonts = readFonts([...bundled, ...extra], bundled.length);
