@@ -15,7 +15,8 @@ const PIXELS = 256;
 
 const CAMERA = { projection: 'orthographic', position: [0, 0, 1], target: [0, 0, 0], height: SIDE, near: 0.5, far: 1.5 };
 
-const ALBEDO = Object.freeze({
+/** @internal */
+export const ALBEDO = Object.freeze({
   size: { width: PIXELS, height: PIXELS },
   camera: CAMERA,
   quality: 'draft',
