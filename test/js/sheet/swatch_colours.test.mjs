@@ -169,6 +169,21 @@ test('what is sheer or has holes has the colour of its cloth', async () => {
   for (const tiles of [0.5, 4]) near((await coloursOf(await panel({ textures: { baseColor: gone }, alphaMode: 'BLEND' }, tiles))).linear, expected, 1e-6);
 });
 
+test('what is sheer has its colour also where a picture tells it', async () => {
+  // Texture coordinates are missing: no texel can be told.
+  const builder = new GlbBuilder();
+  const { uvs, ...bare } = plane(0.2, 0.2);
+  const baseColor = { image: await png(4, 4, () => [0.8, 0.6, 0.4, 0.3]) };
+  builder.add(bare, builder.material({ name: 'cloth', alphaMode: 'BLEND', textures: { baseColor } }), { name: 'panel' });
+  const { exact, linear: printed } = await coloursOf(await renderer.load(await builder.bytes()));
+  assert.equal(exact, null);
+  near(
+    printed,
+    [0.8, 0.6, 0.4].map((value) => linear(Math.round(value * 255))),
+    0.005,
+  );
+});
+
 test('colours of vertices count by what covers there', async () => {
   const { positions } = plane(0.2, 0.2);
   const isLeft = Array.from({ length: positions.length / 3 }, (_, i) => positions[3 * i] < 0);
