@@ -9,13 +9,13 @@
 #include "isolation.h"
 #include "loading.h"
 #include "lobes.h"
+#include "shown.h"
 #include "state.h"
 #include "telar/dress.h"
 #include "telar/explode.h"
 #include "telar/flat.h"
 #include "telar/load.h"
 #include "telar/measure.h"
-#include "telar/part.h"
 #include "telar/part_opacities.h"
 #include "telar/pose.h"
 #include "telar/reference.h"
@@ -117,13 +117,6 @@ Napi::Value dress(const Napi::CallbackInfo& info) {
   return State::of(info.Env()).runOnPool(info.Env(), job, work);
 }
 
-/// Makes the promise's value of the text that `make` returns on the pool.
-Napi::Value textOnPool(Napi::Env env, const std::shared_ptr<Job>& job, std::function<std::string()> make) {
-  return State::of(env).runOnPool(env, job, [job, make = std::move(make)] {
-    job->value = [text = make()](Napi::Env to) { return Napi::String::New(to, text); };
-  });
-}
-
 /// namesOf(scene, token) -> Promise<string>
 Napi::Value names(const Napi::CallbackInfo& info) {
   auto scene = unwrap<SceneHandle>(info[0]).scene();
@@ -136,36 +129,6 @@ Napi::Value uvScales(const Napi::CallbackInfo& info) {
   auto scene = unwrap<SceneHandle>(info[0]).scene();
   auto job = std::make_shared<Job>(unwrap<TokenHandle>(info[1]).token);
   return textOnPool(info.Env(), job, [scene, job] { return describeUvScales(*scene, job->cancel); });
-}
-
-/// measurePart(scene, kind: "node" | "material", which: number | string, {variant, ghost: string}, token) ->
-/// Promise<string>
-Napi::Value measurePart(const Napi::CallbackInfo& info) {
-  auto scene = unwrap<SceneHandle>(info[0]).scene();
-  PartQuery query;
-  if (stringFromJs(info[1], "a kind of part") == "material") query.kind = PartQuery::Kind::kMaterial;
-  if (info[2].IsNumber()) {
-    query.which = info[2].As<Napi::Number>().Int32Value();
-  } else {
-    query.which = stringFromJs(info[2], "a name");
-  }
-  const auto shown = info[3].As<Napi::Object>();
-  query.variant = stringFromJs(shown.Get("variant"), "the variant");
-  const auto ghost = parseGhosts(stringFromJs(shown.Get("ghost"), "the ghosts"));
-  auto job = std::make_shared<Job>(unwrap<TokenHandle>(info[4]).token);
-  return textOnPool(info.Env(), job,
-                    [scene, query, ghost, job] { return describePart(*scene, query, ghost, job->cancel); });
-}
-
-/// measureShown(scene, {variant, ghost: string}, token) -> Promise<string>
-Napi::Value measureShown(const Napi::CallbackInfo& info) {
-  auto scene = unwrap<SceneHandle>(info[0]).scene();
-  const auto shown = info[1].As<Napi::Object>();
-  const auto variant = stringFromJs(shown.Get("variant"), "the variant");
-  const auto ghost = parseGhosts(stringFromJs(shown.Get("ghost"), "the ghosts"));
-  auto job = std::make_shared<Job>(unwrap<TokenHandle>(info[2]).token);
-  return textOnPool(info.Env(), job,
-                    [scene, variant, ghost, job] { return describeShown(*scene, variant, ghost, job->cancel); });
 }
 
 /// measure(scene, request: string, token) -> Promise<string>
@@ -343,6 +306,7 @@ Napi::Object init(Napi::Env env, Napi::Object exports) {
   exports["pose"] = Napi::Function::New(env, pose, "pose");
   exports["measurePart"] = Napi::Function::New(env, measurePart, "measurePart");
   exports["measureShown"] = Napi::Function::New(env, measureShown, "measureShown");
+  exports["rangesAlong"] = Napi::Function::New(env, rangesAlong, "rangesAlong");
   exports["measure"] = Napi::Function::New(env, measure, "measure");
   exports["swatch"] = Napi::Function::New(env, swatch, "swatch");
   exports["drawFlat"] = Napi::Function::New(env, drawFlat, "drawFlat");

@@ -89,4 +89,10 @@ bool State::shutDown() {
   return all;
 }
 
+Napi::Value textOnPool(Napi::Env env, const std::shared_ptr<Job>& job, std::function<std::string()> make) {
+  return State::of(env).runOnPool(env, job, [job, make = std::move(make)] {
+    job->value = [text = make()](Napi::Env to) { return Napi::String::New(to, text); };
+  });
+}
+
 }  // namespace telar::addon

@@ -1,7 +1,9 @@
 #pragma once
 #include <napi.h>
 
+#include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "gl_thread.h"
@@ -48,5 +50,8 @@ class State {
   std::shared_ptr<TaskThreads> pool_, patientPool_;
   std::vector<std::shared_ptr<GlThread>> glThreads_;
 };
+
+/// Makes the promise's value of the text that `make` returns on the pool.
+Napi::Value textOnPool(Napi::Env env, const std::shared_ptr<Job>& job, std::function<std::string()> make);
 
 }  // namespace telar::addon

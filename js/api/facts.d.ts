@@ -23,9 +23,10 @@ export interface ModelFacts {
   /** Of the file and of the external parts that it names: 64 hex digits. */
   sha256: string;
   /**
-   * Of a flat swatch alone: its base colour as a whole, linear Rec.709: the mean over the texels of a texture that repeats on the square; of a print or an
-   * atlas, the mean over the triangles that wear the material, by their area. Null where it is draped, of a texture that is not coded as sRGB in bytes, and
-   * of one that repeats and has holes, whose colour a picture of the square tells.
+   * Of a flat swatch alone: its base colour as a whole, linear Rec.709: the mean over the texels of a texture that repeats, where the garment wears all of
+   * it; else, as of a print or an atlas, the mean over the triangles that wear the material, by their area. What is sheer or has holes counts by what
+   * covers; where nothing does, all alike. Null where it is draped, and of a texture that is not coded as sRGB in bytes, whose colour a picture of the
+   * square tells.
    */
   meanBaseColor?: [number, number, number] | null;
   materials: Array<{

@@ -53,6 +53,12 @@ export class Model {
     return explodeModel(this, distance, options);
   }
 
+  /** Documented in js/api/ranges.mjs. @internal */
+  async rangesAlong(axes, options) {
+    const { rangesOf } = await import('./ranges.mjs');
+    return rangesOf(this, axes, options);
+  }
+
   /** @internal */
   static sceneOf(model) {
     return model.#scene;

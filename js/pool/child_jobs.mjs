@@ -32,6 +32,7 @@ const METHODS = {
   compare: async (job) => (await import('./compare_job.mjs')).compareJob(job),
   sheet: async (job) => (await import('./sheet_job.mjs')).sheetJob(job),
   measure: ({ source, args, signal }) => source.measure({ ...args[0], signal }),
+  rangesAlong: ({ source, args, signal }) => source.rangesAlong(args[0], { ...args[1], signal }),
   flat: async ({ source, shots, args, signal }) => packFlat(await source.flat(shots[0], { ...args[0], signal })),
 };
 

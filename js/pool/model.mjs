@@ -58,6 +58,15 @@ export class PoolModel {
     return this.#derive({ method: 'explode', args: [distance, {}], timeoutMs }, signal);
   }
 
+  /** Documented in js/api/ranges.mjs. @internal */
+  async rangesAlong(axes, options = {}) {
+    const { signal, ...asked } = options;
+    return this.#pool.ask(
+      { method: 'rangesAlong', recipe: this.#recipe, args: [axes, plain(asked)], timeoutMs: asked.timeoutMs, unpack: (value) => value },
+      signal,
+    );
+  }
+
   async #derive(step, signal) {
     const recipe = new Recipe({ from: this.#recipe, step });
     const { timeoutMs } = step;

@@ -1,5 +1,5 @@
 import { PAPERS } from './table/index.mjs';
-import { basisOf, extentOf, fittingRatio, ratioOf, scaleText } from './scale.mjs';
+import { fittingRatio, ratioOf, scaleText } from './scale.mjs';
 import { pathText, pointerText, wrongValue } from '../shot/complain.mjs';
 import { ABOUT } from './read.mjs';
 import { printedText } from './units.mjs';
@@ -44,7 +44,7 @@ export class Layout {
    * @param {object} parts
    * @param {object} parts.spec of readSpec
    * @param {object} parts.facts of the model
-   * @param {{model: object, facts: object}[]} parts.shown of shownBy
+   * @param {{model: object, extent: import('./scale.mjs').Extent}[]} parts.shown of shownBy
    * @param {(key: string, values?: object) => string} parts.words
    * @param {import('./pictures.mjs').Pictures} parts.pictures
    * @param {import('./engine.mjs').Engine} parts.engine
@@ -71,8 +71,7 @@ export class Layout {
   }
 
   extent(view) {
-    const { bounds, outline } = this.shown[this.#indexOf(view)].facts;
-    return extentOf({ ...bounds, outline }, basisOf(view));
+    return this.shown[this.#indexOf(view)].extent;
   }
 
   /** What pictures need to know of a view. @returns {import('./pictures.mjs').Seen} */

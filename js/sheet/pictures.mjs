@@ -18,7 +18,7 @@ import { INCH, basisOf, trueView } from './scale.mjs';
 /** JPEG at which no ringing shows at the edge of white, on paper. */
 const QUALITY = 93;
 
-/** White around a garment, millimetres of paper: outlines of round models miss a little of them. */
+/** White around a garment, millimetres of paper: strokes of flats are half as wide beyond its edge, and edges are smooth over a pixel. */
 const MARGIN = 1.5;
 
 /** Resolution of a mask of the garment: a third of a millimetre. */

@@ -1,4 +1,4 @@
-import { cornersOfBox, dot, subtract, viewBasis, VIEWS } from '../shot/frame.mjs';
+import { dot, subtract, viewBasis, VIEWS } from '../shot/frame.mjs';
 import { INCH, metresPerPixelOf, PIXELS_MAX, ratioOf } from '../shot/true_scale.mjs';
 
 export { INCH, ratioOf };
@@ -27,14 +27,13 @@ export function basisOf({ view, azimuth, elevation }) {
   return viewBasis(named.azimuth, named.elevation);
 }
 
-/** What a direction sees of a box with an outline: the outline's points, or those of the box where there is none. @returns {Extent} */
-export function extentOf({ min, max, outline }, basis) {
-  const points = outline?.length > 1 ? outline : cornersOfBox({ min, max });
-  const range = (axis) => {
-    const along = points.map((point) => dot(point, axis));
-    return [Math.min(...along), Math.max(...along)];
-  };
-  const [x, y, z] = [basis.right, basis.up, basis.back].map(range);
+/**
+ * What a direction sees of a model.
+ * @param {[number, number][]} ranges from where to where it reaches along `right`, `up` and `back` of the basis, metres
+ * @param {Basis} basis
+ * @returns {Extent}
+ */
+export function extentOf([x, y, z], basis) {
   const middle = ([low, high]) => low + (high - low) / 2;
   const centre = [0, 1, 2].map((i) => middle(x) * basis.right[i] + middle(y) * basis.up[i] + middle(z) * basis.back[i]);
   return { basis, centre, width: x[1] - x[0], height: y[1] - y[0] };

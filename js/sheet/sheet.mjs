@@ -111,7 +111,7 @@ export async function layOut(source, given, settings) {
   const told = await renderer.factsOf(model, {}, { signal });
   const facts = { ...told, name: oneLine(told.name) };
   const spec = readSpec(given, facts);
-  const shown = await shownBy(spec.views, model, { renderer, facts, signal });
+  const shown = await shownBy(spec.views, model, { signal });
   const words = wordsOf(spec);
   const bundled = await bundledFonts();
   const fonts = readFonts([...bundled, ...extra], bundled.length);

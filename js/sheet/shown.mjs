@@ -1,6 +1,7 @@
 import { TelarError } from '../error/index.mjs';
 import { pathText, pointerText } from '../shot/complain.mjs';
 import { ABOUT } from './read.mjs';
+import { basisOf, extentOf } from './scale.mjs';
 
 /** What each view of a spec shows: the model, or its parts moved apart, without what the view leaves out. */
 
@@ -20,29 +21,29 @@ export function ofView(thrown, view) {
 /**
  * @param {object[]} views of a spec
  * @param {object} model loaded
- * @param {{renderer: object, facts: object, signal?: AbortSignal}} context facts: of the model
- * @returns {Promise<{model: object, facts: object}[]>} by index
- * @throws {TelarError} E_SPEC where the model lacks a ghost that a view leaves out
+ * @param {{signal?: AbortSignal}} [options]
+ * @returns {Promise<{model: object, extent: import('./scale.mjs').Extent}[]>} by index
+ * @throws {TelarError} E_SPEC where the model lacks a ghost that a view leaves out, or where nothing is left
  */
-export async function shownBy(views, model, { renderer, facts, signal }) {
+export async function shownBy(views, model, { signal } = {}) {
   const exploded = new Map();
   const shown = [];
-  for (const [i, { explode, ghost, variant }] of views.entries()) {
+  for (const [i, view] of views.entries()) {
+    const { explode, ghost, variant } = view;
     if (explode > 0 && !exploded.has(explode)) exploded.set(explode, await model.explode(explode, { signal }));
     const seen = exploded.get(explode) ?? model;
-    if (seen === model && ghost.length === 0) {
-      shown.push({ model, facts });
-      continue;
-    }
-    try {
-      shown.push({ model: seen, facts: await renderer.factsOf(seen, { ghost, variant }, { signal }) });
-    } catch (thrown) {
+    const basis = basisOf(view);
+    const ranges = await seen.rangesAlong([basis.right, basis.up, basis.back], { variant, ghost, signal }).catch((thrown) => {
       throw ofView(thrown, i);
-    }
-    if (!shown[i].facts.bounds) {
-      const path = ['views', i, 'ghost'];
-      throw new TelarError(ABOUT.code, `${pathText(path, ABOUT)}: expected one that leaves a part of the model to be seen`, { pointer: pointerText(path) });
-    }
+    });
+    if (!ranges) throw new TelarError(ABOUT.code, ...nothingSeen(i, ghost));
+    shown.push({ model: seen, extent: extentOf(ranges, basis) });
   }
   return shown;
+}
+
+/** @param {number} view index @param {object[]} ghost */
+function nothingSeen(view, ghost) {
+  if (ghost.length === 0) return [`spec.views[${view}]: the model draws nothing to be seen`, { pointer: pointerText(['views', view]) }];
+  return [`spec.views[${view}].ghost: expected one that leaves a part of the model to be seen`, { pointer: pointerText(['views', view, 'ghost']) }];
 }

@@ -15,7 +15,8 @@ const PIXELS = 256;
 
 const CAMERA = { projection: 'orthographic', position: [0, 0, 1], target: [0, 0, 0], height: SIDE, near: 0.5, far: 1.5 };
 
-const ALBEDO = Object.freeze({
+/** @internal */
+export const ALBEDO = Object.freeze({
   size: { width: PIXELS, height: PIXELS },
   camera: CAMERA,
   quality: 'draft',
@@ -102,6 +103,20 @@ export class Squares {
   async #drawnColour(square) {
     const { renderer, call } = this.#context;
     const { layers } = await renderer.render(square, ALBEDO, call);
-    return meanOf(floatsOf(layers.albedo), floatsOf(layers.coverage));
+    const coverage = floatsOf(layers.coverage);
+    // In the layer of the albedo, what is less than half there is not there, and so is the cloth at the edge of a hole.
+    return coverage.every((part) => part === 1) ? meanOf(floatsOf(layers.albedo), coverage) : this.#sheerColour(square);
+  }
+
+  /** The same of what is sheer or has holes: by its alpha. */
+  async #sheerColour(square) {
+    const { renderer, call } = this.#context;
+    const { layers, output, ...shot } = ALBEDO;
+    const { data: color } = await renderer.renderQuantity(square, shot, 'baseColor', call);
+    const { data: alpha } = await renderer.renderQuantity(square, shot, 'alpha', call);
+    return meanOf(
+      color.filter((_, i) => i % 4 < 3),
+      alpha.filter((_, i) => i % 4 === 0),
+    );
   }
 }

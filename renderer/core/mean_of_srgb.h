@@ -17,14 +17,14 @@ inline double lightOfSrgb(std::size_t code) {
 
 /// Mean of the texels of a picture that is coded as sRGB (IEC 61966-2-1): linear Rec.709, exact, where a mip level has
 /// lost up to 1/255 of brightness to rounding.
-/// @param byAlpha  texels count by their alpha, 0..1
+/// @param counts  what a texel counts, by the code of its alpha
 /// @return none where the texels are no bytes, or none counts
-inline std::optional<glm::dvec3> meanOfSrgb(const Image8& image, bool byAlpha) {
+inline std::optional<glm::dvec3> meanOfSrgb(const Image8& image, const std::array<std::uint8_t, 256>& counts) {
   if (image.type != TexelType::kByte || image.pixels.empty()) return std::nullopt;
   std::array<std::array<std::uint64_t, 3>, 256> weights{};  // of texels of a code, by channel
   for (std::size_t i = 0; i + 3 < image.pixels.size(); i += 4) {
     for (std::size_t channel = 0; channel < 3; ++channel) {
-      weights[image.pixels[i + channel]][channel] += byAlpha ? image.pixels[i + 3] : 1;
+      weights[image.pixels[i + channel]][channel] += counts[image.pixels[i + 3]];
     }
   }
   glm::dvec4 sum(0);
@@ -36,6 +36,13 @@ inline std::optional<glm::dvec3> meanOfSrgb(const Image8& image, bool byAlpha) {
   }
   if (sum.w <= 0) return std::nullopt;
   return glm::dvec3(sum) / sum.w;
+}
+
+/// @param byAlpha  texels count by their alpha, 0..1
+inline std::optional<glm::dvec3> meanOfSrgb(const Image8& image, bool byAlpha) {
+  std::array<std::uint8_t, 256> counts{};
+  for (std::size_t code = 0; code < counts.size(); ++code) counts[code] = byAlpha ? static_cast<std::uint8_t>(code) : 1;
+  return meanOfSrgb(image, counts);
 }
 
 }  // namespace telar

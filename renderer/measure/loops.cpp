@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <utility>
 
 #include "measure/branches.h"
 #include "surface/chain.h"
@@ -24,6 +26,8 @@ constexpr double STRIP = 0.01;
 constexpr int STRIP_ROUNDS = 4;
 /// Metres from a face, by part of the loop, within which a point of a way lies on it.
 constexpr double ON_FACE = 1e-9;
+/// Metres from a plane, by part of the surface's extent, within which a corner lies in it: as far as corners that are one may lie apart.
+constexpr double IN_PLANE = 1e-6;
 /// Part of its length below which a loop is on its way to a point.
 constexpr double VANISHED = 1e-2;
 
@@ -46,6 +50,80 @@ glm::dvec3 intoFace(const Surface& surface, const surface::Face& face, std::size
   // Towards the apex, across the side.
   const double across = glm::dot(way, toApex * glm::dot(along, along) - along * glm::dot(along, toApex));
   return across < 0 ? -way : way;
+}
+
+/// Where a plane crosses edges, and the loops that this makes.
+class Section {
+ public:
+  Section(const Surface& surface, const glm::dvec3& normal, const CancelToken& cancel)
+      : surface_(surface), cancel_(cancel), normal_(normal), crossing_(surface.edges.size(), surface::NONE) {}
+
+  void cross(std::size_t edge, const glm::dvec3& at) {
+    crossing_[edge] = static_cast<std::uint32_t>(points_.size());
+    points_.push_back(at);
+  }
+
+  std::vector<Loop> loops() {
+    if (points_.empty()) return {};
+    std::vector<Cut> cuts;
+    for (std::uint32_t f = 0; f < surface_.faces.size(); ++f) {
+      if (f % FACES_PER_CANCEL_CHECK == 0) cancel_.check();
+      const surface::Face& face = surface_.faces[f];
+      std::vector<std::size_t> cut;  // sides of the face
+      for (std::size_t side = 0; side < 3; ++side) {
+        if (crossing_[face.edges[side]] != surface::NONE) cut.push_back(side);
+      }
+      if (cut.size() != 2) continue;
+      cuts.push_back({{crossing_[face.edges[cut[0]]], crossing_[face.edges[cut[1]]]},
+                      {intoFace(surface_, face, cut[0], normal_), intoFace(surface_, face, cut[1], normal_)},
+                      face.source});
+    }
+    partBranches(cuts, points_, surface_.sources, cancel_);
+    std::vector<std::array<std::uint32_t, 2>> links;
+    links.reserve(cuts.size());
+    for (const Cut& cut : cuts) links.push_back(cut.crossings);
+    return loopsOf(links, points_, cancel_);
+  }
+
+ private:
+  const Surface& surface_;
+  const CancelToken& cancel_;
+  glm::dvec3 normal_;
+  std::vector<std::uint32_t> crossing_;  ///< of each edge
+  std::vector<glm::dvec3> points_;
+};
+
+/// Metres of each point above the plane; 0 of what lies in it but for rounding, which would cut a hem here and there.
+std::vector<double> heightsOf(const Surface& surface, const glm::dvec3& point, const glm::dvec3& normal) {
+  const double rounding = IN_PLANE * glm::distance(surface.bounds.min, surface.bounds.max);
+  std::vector<double> heights;
+  heights.reserve(surface.points.size());
+  for (const glm::dvec3& p : surface.points) {
+    const double height = glm::dot(p - point, normal);
+    heights.push_back(std::abs(height) <= rounding ? 0 : height);
+  }
+  return heights;
+}
+
+/// Points in the plane that are not part of the cut of those below it, nor joined to it in the plane: where the surface ends in the
+/// plane, or comes back from it, from above.
+std::vector<char> touchingPoints(const Surface& surface, const std::vector<double>& heights) {
+  std::vector<char> touching(heights.size());
+  for (std::size_t p = 0; p < heights.size(); ++p) touching[p] = heights[p] == 0 ? 1 : 0;
+  std::vector<std::uint32_t> known;
+  const auto know = [&](std::uint32_t p) {
+    if (touching[p] != 0) touching[p] = 0, known.push_back(p);
+  };
+  for (const surface::Edge& edge : surface.edges) {
+    if (heights[edge.a] < 0) know(edge.b);
+    if (heights[edge.b] < 0) know(edge.a);
+  }
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    for (const std::uint32_t f : surface.facesAt(known[i])) {
+      for (const std::uint32_t p : surface.faces[f].points) know(p);
+    }
+  }
+  return touching;
 }
 
 /// The point so far along a line of points.
@@ -189,33 +267,27 @@ double Loop::distanceTo(const glm::dvec3& p) const {
 
 std::vector<Loop> sectionOf(const Surface& surface, const glm::dvec3& point, const glm::dvec3& normal,
                             const CancelToken& cancel) {
-  const auto height = [&](std::uint32_t p) { return glm::dot(surface.points[p] - point, normal); };
-  std::vector<std::uint32_t> crossing(surface.edges.size(), surface::NONE);
-  std::vector<glm::dvec3> points;
+  const std::vector<double> heights = heightsOf(surface, point, normal);
+  Section section(surface, normal, cancel);
   for (std::size_t e = 0; e < surface.edges.size(); ++e) {
-    const double a = height(surface.edges[e].a), b = height(surface.edges[e].b);
+    const surface::Edge& edge = surface.edges[e];
+    const double a = heights[edge.a], b = heights[edge.b];
     if ((a >= 0) == (b >= 0)) continue;
-    crossing[e] = static_cast<std::uint32_t>(points.size());
-    points.push_back(glm::mix(surface.points[surface.edges[e].a], surface.points[surface.edges[e].b], a / (a - b)));
+    section.cross(e, glm::mix(surface.points[edge.a], surface.points[edge.b], a / (a - b)));
   }
-  std::vector<Cut> cuts;
-  for (std::uint32_t f = 0; f < surface.faces.size(); ++f) {
-    if (f % FACES_PER_CANCEL_CHECK == 0) cancel.check();
-    const surface::Face& face = surface.faces[f];
-    std::vector<std::size_t> cut;  // sides of the face
-    for (std::size_t side = 0; side < 3; ++side) {
-      if (crossing[face.edges[side]] != surface::NONE) cut.push_back(side);
-    }
-    if (cut.size() != 2) continue;
-    cuts.push_back({{crossing[face.edges[cut[0]]], crossing[face.edges[cut[1]]]},
-                    {intoFace(surface, face, cut[0], normal), intoFace(surface, face, cut[1], normal)},
-                    face.source});
+  std::vector<Loop> loops = section.loops();
+  const std::vector<char> touching = touchingPoints(surface, heights);
+  Section end(surface, normal, cancel);
+  for (std::size_t e = 0; e < surface.edges.size(); ++e) {
+    const surface::Edge& edge = surface.edges[e];
+    if (touching[edge.a] != 0 && heights[edge.b] != 0) end.cross(e, surface.points[edge.a]);
+    if (touching[edge.b] != 0 && heights[edge.a] != 0) end.cross(e, surface.points[edge.b]);
   }
-  partBranches(cuts, points, surface.sources, cancel);
-  std::vector<std::array<std::uint32_t, 2>> links;
-  links.reserve(cuts.size());
-  for (const Cut& cut : cuts) links.push_back(cut.crossings);
-  return loopsOf(links, points, cancel);
+  // What touches the plane in a corner alone has no length there.
+  for (Loop& loop : end.loops()) {
+    if (loop.length() > 0) loops.push_back(std::move(loop));
+  }
+  return loops;
 }
 
 std::vector<Loop> borderOf(const Surface& surface, const CancelToken& cancel) {

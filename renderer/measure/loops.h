@@ -13,6 +13,7 @@ struct Loop {
 };
 
 /// Where a plane cuts the surface. A corner that lies in the plane counts as above it, so that no cut ends there.
+/// Where the surface ends in the plane or comes back from it, as the hem of a skirt on that of the hem, it is cut there.
 std::vector<Loop> sectionOf(const surface::Surface& surface, const glm::dvec3& point, const glm::dvec3& normal,
                             const CancelToken& cancel);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "frame/variant.h"
 #include "measure/loops.h"
@@ -33,7 +34,6 @@ surface::SurfaceOptions optionsOf(const Scene& scene, const json& request) {
   surface::SurfaceOptions options;
   options.variant = frame::variantIndex(scene, request.at("variant").get<std::string>());
   options.join = request.at("join").get<double>();
-  options.repeats = request.at("ask").at("kind") == "points";  // which may name any triangle
   const json& part = request.at("part");
   if (part.is_null()) return options;
   PartQuery& query = options.part.emplace();
@@ -42,6 +42,13 @@ surface::SurfaceOptions optionsOf(const Scene& scene, const json& request) {
   which.is_number() ? query.which = which.get<int>() : query.which = which.get<std::string>();
   return options;
 }
+
+/// A place, and the triangle that it was asked for by: where that is left out as a repeat, another than the one of the place.
+struct Asked {
+  Place place;
+  surface::Face face;
+  glm::dvec3 weights{0};  ///< of its corners
+};
 
 class Measure {
  public:
@@ -53,8 +60,9 @@ class Measure {
     json described = json::array();
     for (const json& point : ask.at("points")) {
       const std::string pointer = "/points/" + std::to_string(places.size());
-      places.push_back(placeOf(point, pointer));
-      described.push_back(describe(places.back()));
+      const Asked asked = askedOf(point, pointer);
+      places.push_back(asked.place);
+      described.push_back(describe(asked));
     }
     const bool closed = ask.at("closed").get<bool>(), overSurface = ask.at("along") == "surface";
     const auto ways = overSurface ? surfaceWays(places, closed) : straightWays(places, closed);
@@ -104,28 +112,45 @@ class Measure {
   }
 
  private:
-  Place placeOf(const json& point, const std::string& pointer) const {
-    if (point.contains("position")) return nearestPlace(surface_, vec3(point.at("position")), cancel_);
+  Asked askedOf(const json& point, const std::string& pointer) const {
+    if (point.contains("position")) {
+      const Place place = nearestPlace(surface_, vec3(point.at("position")), cancel_);
+      return {place, surface_.faces[place.face], place.weights};
+    }
     const std::uint32_t source = sourceOf(point, pointer);
     for (std::uint32_t f = 0; f < surface_.faces.size(); ++f) {
-      const surface::Face& face = surface_.faces[f];
-      if (face.source != source) continue;
-      if (point.contains("triangle")) {
-        if (face.triangle == point.at("triangle").get<std::uint32_t>())
-          return placeAt(surface_, f, vec3(point.at("weights")));
-      } else {
-        for (int k = 0; k < 3; ++k) {
-          if (vertexOf(face, k) != point.at("vertex").get<std::uint32_t>()) continue;
-          glm::dvec3 weights(0);
-          weights[k] = 1;
-          return placeAt(surface_, f, weights);
-        }
-      }
+      const auto weights = weightsOf(point, surface_.faces[f], source);
+      if (weights) return {placeAt(surface_, f, *weights), surface_.faces[f], *weights};
+    }
+    for (const auto& [face, first] : surface_.repeats) {
+      const auto weights = weightsOf(point, face, source);
+      if (!weights) continue;
+      glm::dvec3 same(
+          0);  // at the same corners of the face that stays, which may begin at another one or wind the other way
+      for (int k = 0; k < 3; ++k)
+        same[Surface::cornerOf(surface_.faces[first], face.points[static_cast<std::size_t>(k)])] = (*weights)[k];
+      return {placeAt(surface_, first, same), face, *weights};
     }
     const char* what = point.contains("triangle") ? "triangle " : "vertex ";
     const json& index = point.contains("triangle") ? point.at("triangle") : point.at("vertex");
     throw Error("E_MEASURE", std::string("the surface has no ") + what + index.dump() + " there, or one without area")
         .at(pointer);
+  }
+
+  /// Where a point of the request lies in a face; none where that names another one.
+  std::optional<glm::dvec3> weightsOf(const json& point, const surface::Face& face, std::uint32_t source) const {
+    if (face.source != source) return std::nullopt;
+    if (point.contains("triangle")) {
+      if (face.triangle != point.at("triangle").get<std::uint32_t>()) return std::nullopt;
+      return vec3(point.at("weights"));
+    }
+    for (int k = 0; k < 3; ++k) {
+      if (vertexOf(face, k) != point.at("vertex").get<std::uint32_t>()) continue;
+      glm::dvec3 weights(0);
+      weights[k] = 1;
+      return weights;
+    }
+    return std::nullopt;
   }
 
   std::uint32_t sourceOf(const json& point, const std::string& pointer) const {
@@ -151,14 +176,14 @@ class Measure {
     return primitive.indices.empty() ? static_cast<std::uint32_t>(at) : primitive.indices[at];
   }
 
-  json describe(const Place& place) const {
-    const surface::Face& face = surface_.faces[place.face];
+  json describe(const Asked& asked) const {
+    const auto& [place, face, weights] = asked;
     const surface::Source& source = surface_.sources[face.source];
     const Node& node = scene_.nodes[static_cast<std::size_t>(source.node)];
     return {{"position", list(place.position)}, {"moved", place.distance},
             {"node", node.file.node},           {"nodeName", node.name},
             {"material", source.material},      {"primitive", source.primitive},
-            {"triangle", face.triangle},        {"weights", list(place.weights)}};
+            {"triangle", face.triangle},        {"weights", list(weights)}};
   }
 
   template <class Way>

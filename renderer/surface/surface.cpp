@@ -58,9 +58,10 @@ bool isMeant(const PartQuery& query, int index, const std::string& name) {
   return name == std::get<std::string>(query.which);
 }
 
-/// Leaves out faces of three points that an earlier face has, as of surfaces that are there twice, once for each side: cloth has one
-/// surface, and what is doubled has no border and no way around.
-void dropRepeated(std::vector<Face>& faces, const CancelToken& cancel) {
+/// Leaves out faces of three points that an earlier face has: what is doubled has no border and no way around, and ways over it
+/// branch at each edge.
+void dropRepeated(Surface& surface, const CancelToken& cancel) {
+  std::vector<Face>& faces = surface.faces;
   struct Key {
     std::array<std::uint32_t, 3> points;
     std::uint32_t face;
@@ -75,10 +76,22 @@ void dropRepeated(std::vector<Face>& faces, const CancelToken& cancel) {
   std::sort(keys.begin(), keys.end(),
             [](const Key& p, const Key& q) { return std::tie(p.points, p.face) < std::tie(q.points, q.face); });
   cancel.check();
-  std::vector<char> isRepeated(faces.size());
-  for (std::size_t i = 1; i < keys.size(); ++i) isRepeated[keys[i].face] = keys[i].points == keys[i - 1].points ? 1 : 0;
-  std::size_t at = 0;
-  std::erase_if(faces, [&](const Face&) { return isRepeated[at++] != 0; });
+  std::vector<std::uint32_t> first(faces.size(), NONE), kept(faces.size(), NONE);
+  for (std::size_t i = 1; i < keys.size(); ++i) {
+    if (keys[i].points != keys[i - 1].points) continue;
+    const std::uint32_t before = keys[i - 1].face;
+    first[keys[i].face] = first[before] == NONE ? before : first[before];
+  }
+  std::uint32_t count = 0;
+  for (std::uint32_t f = 0; f < faces.size(); ++f) {
+    if (first[f] != NONE) {
+      surface.repeats.push_back({faces[f], kept[first[f]]});
+    } else {
+      kept[f] = count;
+      faces[count++] = faces[f];
+    }
+  }
+  faces.resize(count);
 }
 
 /// A primitive in one place.
@@ -117,7 +130,7 @@ class Builder {
       surface_.sources.push_back(placed.source);
       placed.primitive->topology == Topology::kTriangles ? addFaces(placed, welder) : addLines(placed);
     }
-    if (!options_.repeats) dropRepeated(surface_.faces, cancel_);
+    dropRepeated(surface_, cancel_);
     connect(surface_, cancel_);
     return std::move(surface_);
   }

@@ -36,6 +36,12 @@ struct Edge {
   std::uint32_t count = 0;     ///< 1 = open, 2 = inner, more = not manifold
 };
 
+/// A face that is left out, as an earlier one has its three points.
+struct Repeat {
+  Face face;                ///< without edges
+  std::uint32_t first = 0;  ///< index into Surface::faces: the one that stays
+};
+
 /// Polyline of a primitive that draws lines.
 struct Line {
   std::vector<glm::dvec3> points;
@@ -43,10 +49,12 @@ struct Line {
 };
 
 /// The triangles that a scene draws, as one mesh in world space. Vertices at one place are one point: files split them
-/// where UVs, normals or parts meet. Triangles that this leaves without three corners are left out.
+/// where UVs, normals or parts meet. Triangles that this leaves without three corners are left out, and so are those of three points that an
+/// earlier one has, as of surfaces that are there twice, once for each side: cloth has one surface.
 struct Surface {
   std::vector<glm::dvec3> points;  ///< metres, world space
   std::vector<Face> faces;
+  std::vector<Repeat> repeats;
   std::vector<Edge> edges;
   std::vector<std::uint32_t> edgeFaces;
   std::vector<std::uint32_t> pointFirst,
@@ -74,8 +82,7 @@ struct SurfaceOptions {
   std::optional<PartQuery> part{};  ///< none = all that is drawn
   /// What is looked at; none = all. @param material  of the file: materialIndex(primitive, variant)
   std::function<bool(const Node&, int material)> isMeant{};
-  bool repeats = false;  ///< whether faces stay whose three points an earlier one has
-  double join = 0;       ///< metres: points nearer than this are one; 0 = of rounding alone
+  double join = 0;  ///< metres: points nearer than this are one; 0 = of rounding alone
   std::uint64_t maxTriangles = std::uint64_t{1} << 22;  ///< of what is looked at
 };
 

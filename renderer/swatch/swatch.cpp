@@ -8,7 +8,6 @@
 #include <optional>
 #include <utility>
 
-#include "core/mean_of_srgb.h"
 #include "core/sha256.h"
 #include "frame/variant.h"
 #include "swatch/worn_texels.h"
@@ -86,36 +85,22 @@ Primitive squareOf(const swatch::Worn& worn, const std::array<glm::dvec2, 2>& mi
   return out;
 }
 
-/// Whether the square shows a tile of a texture or more, along both of its sides.
-bool showsATile(const Primitive& square, const TextureRef& texture) {
-  const auto& uvs = square.uvs[static_cast<std::size_t>(texture.texCoord)];
-  if (uvs.empty()) return false;
-  if (texture.sampler.wrapS == Sampler::CLAMP_TO_EDGE || texture.sampler.wrapT == Sampler::CLAMP_TO_EDGE) return false;
-  const glm::mat2 transform = texture.hasTransform ? glm::mat2(texture.uvTransform) : glm::mat2(1);
-  const glm::vec2 across = transform * (uvs[QUADS] - uvs[0]), up = transform * (uvs.back() - uvs[QUADS]);
-  return glm::length(across) >= 1 && glm::length(up) >= 1;
-}
-
 /// @pre it has one
 const Material& materialOf(const Scene& scene, const swatch::Worn& worn) {
   return scene.materials[static_cast<std::size_t>(worn.material)];
 }
 
-/// The material's base colour as a whole. @param tile  whether the square shows a tile of its texture
+/// The material's base colour as a whole. @param tile  whether the garment wears all of its texture
 std::optional<glm::dvec3> colorOf(const Scene& scene, const surface::Surface& surface, const swatch::Worn& worn,
                                   bool tile, const CancelToken& cancel) {
   if (worn.material < 0) return std::nullopt;
   const Material& material = materialOf(scene, worn);
-  if (material.baseColorTexture && !tile) return meanWornColor(scene, surface, worn, cancel);
-  if (!isOpaque(material)) return std::nullopt;
-  glm::dvec3 color(material.baseColorFactor);
-  const glm::dvec3 vertices(worn.color / worn.area);
-  if (vertices != glm::dvec3(1)) color *= vertices;
-  if (!material.baseColorTexture) return color;
-  const Image8& image = scene.images[static_cast<std::size_t>(material.baseColorTexture.image)];
-  if (!decodesSrgb(image.coding, true)) return std::nullopt;
-  const auto mean = meanOfSrgb(image, false);
-  return mean ? std::optional(color * *mean) : std::nullopt;
+  if (tile) return meanTileColor(scene, worn);
+  const glm::dvec4 vertices = worn.color / worn.area;
+  // Colours of vertices count by what covers there.
+  if (material.baseColorTexture || (!isOpaque(material) && vertices != glm::dvec4(1)))
+    return meanWornColor(scene, surface, worn, cancel);
+  return glm::dvec3(material.baseColorFactor) * glm::dvec3(vertices);
 }
 
 /// A scene of one primitive that shares all but geometry with the model.
@@ -162,7 +147,7 @@ Swatch swatchOf(const std::shared_ptr<const Scene>& model, std::string_view text
     std::array<glm::dvec2, 2> middle{glm::dvec2(0.5), glm::dvec2(0.5)};
     Primitive square = squareOf(worn, middle, size, draped);
     const TextureRef texture = worn.material < 0 ? TextureRef{} : materialOf(*model, worn).baseColorTexture;
-    const bool tile = texture && showsATile(square, texture);
+    const bool tile = texture && wearsATile(*model, surface, worn, cancel);
     if (texture && !tile) {
       middle = wornPlace(*model, surface, worn, static_cast<std::size_t>(texture.texCoord), cancel);
       square = squareOf(worn, middle, size, draped);

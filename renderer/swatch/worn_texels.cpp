@@ -13,6 +13,9 @@ namespace {
 
 constexpr double PLACES = 1 << 18;
 constexpr std::size_t FACES_PER_TEXEL_CHECK = 1 << 12;
+/// Of a side of a period, as it is asked whether all of it is worn: a gap between panels of an atlas is some hundredths of it, and each
+/// of the cells holds a thousand places of what is worn evenly.
+constexpr std::uint32_t CELLS = 16;
 
 std::size_t texelAt(double coordinate, std::uint32_t wrap, std::uint32_t count) {
   if (wrap == Sampler::CLAMP_TO_EDGE) {
@@ -25,34 +28,34 @@ std::size_t texelAt(double coordinate, std::uint32_t wrap, std::uint32_t count) 
   return std::min(static_cast<std::size_t>(coordinate * count), static_cast<std::size_t>(count) - 1);
 }
 
+/// What of a place of a material with this alpha is there.
+double coverOf(const Material& material, double alpha) {
+  if (material.alphaMode == AlphaMode::kBlend) return std::clamp(alpha, 0.0, 1.0);
+  return material.alphaMode == AlphaMode::kMask && alpha < material.alphaCutoff ? 0 : 1;
+}
+
 /// Linear base colour and alpha of a material at a place of its texture.
 class BaseColor {
  public:
-  BaseColor(const Scene& scene, const Material& material)
-      : material_(material), image_(scene.images[static_cast<std::size_t>(material.baseColorTexture.image)]) {
+  BaseColor(const Scene& scene, const Material& material) : material_(material) {
+    if (material.baseColorTexture) image_ = &scene.images[static_cast<std::size_t>(material.baseColorTexture.image)];
     for (std::size_t code = 0; code < light_.size(); ++code) light_[code] = lightOfSrgb(code);
   }
 
-  glm::dvec4 at(const glm::dvec2& uv) const {
-    const TextureRef& texture = material_.baseColorTexture;
-    glm::dvec2 place = uv;
-    if (texture.hasTransform) place = glm::dvec2(glm::dmat3(texture.uvTransform) * glm::dvec3(uv, 1));
-    const std::size_t x = texelAt(place.x, texture.sampler.wrapS, image_.width);
-    const std::size_t y = texelAt(place.y, texture.sampler.wrapT, image_.height);
-    const std::uint8_t* texel = image_.pixels.data() + 4 * (y * image_.width + x);
-    return glm::dvec4(light_[texel[0]], light_[texel[1]], light_[texel[2]], texel[3] / 255.0) *
-           glm::dvec4(material_.baseColorFactor);
-  }
-
-  /// What of a place with this alpha is there.
-  double cover(double alpha) const {
-    if (material_.alphaMode == AlphaMode::kBlend) return std::clamp(alpha, 0.0, 1.0);
-    return material_.alphaMode == AlphaMode::kMask && alpha < material_.alphaCutoff ? 0 : 1;
+  /// @param place  of the texture, transformed
+  glm::dvec4 at(const glm::dvec2& place) const {
+    const glm::dvec4 factor(material_.baseColorFactor);
+    if (!image_) return factor;
+    const Sampler& sampler = material_.baseColorTexture.sampler;
+    const std::size_t x = texelAt(place.x, sampler.wrapS, image_->width);
+    const std::size_t y = texelAt(place.y, sampler.wrapT, image_->height);
+    const std::uint8_t* texel = image_->pixels.data() + 4 * (y * image_->width + x);
+    return glm::dvec4(light_[texel[0]], light_[texel[1]], light_[texel[2]], texel[3] / 255.0) * factor;
   }
 
  private:
   const Material& material_;
-  const Image8& image_;
+  const Image8* image_ = nullptr;
   std::array<double, 256> light_{};
 };
 
@@ -144,16 +147,22 @@ std::vector<Patch> patchesOf(const Scene& scene, const surface::Surface& surface
   return out;
 }
 
-}  // namespace
+/// One of many places that a material is worn at.
+struct WornPlace {
+  const Primitive& primitive;
+  Corners corners;
+  glm::dvec3 weights;
+  glm::dvec2 texture;  ///< place in the texture of the base colour, transformed; (0, 0) without one
+  double area;         ///< square metres that it stands for
+};
 
-std::optional<glm::dvec3> meanWornColor(const Scene& scene, const surface::Surface& surface, const Worn& worn,
-                                        const CancelToken& cancel) {
-  const Material& material = scene.materials.at(static_cast<std::size_t>(worn.material));
-  const TextureRef& texture = material.baseColorTexture;
-  const Image8& image = scene.images[static_cast<std::size_t>(texture.image)];
-  if (!decodesSrgb(image.coding, true) || image.type != TexelType::kByte || image.pixels.empty()) return std::nullopt;
-  const BaseColor color(scene, material);
-  glm::dvec4 sum(0);  // of colours by what covers, and of that
+/// Visits places of the triangles that wear the material, PLACES and more, evenly by area: an R2 sequence (Roberts 2018).
+/// @return whether all of them have coordinates of the texture
+template <class Visit>
+bool visitWorn(const Scene& scene, const surface::Surface& surface, const Worn& worn, const CancelToken& cancel,
+               const Visit& visit) {
+  const TextureRef& texture = scene.materials.at(static_cast<std::size_t>(worn.material)).baseColorTexture;
+  const glm::dmat3 transform = texture.hasTransform ? glm::dmat3(texture.uvTransform) : glm::dmat3(1);
   double place = 0;
   for (std::size_t f = 0; f < surface.faces.size(); ++f) {
     if (f % FACES_PER_TEXEL_CHECK == 0) cancel.check();
@@ -161,21 +170,73 @@ std::optional<glm::dvec3> meanWornColor(const Scene& scene, const surface::Surfa
     if (surface.sources[face.source].material != worn.material) continue;
     const Primitive& primitive = primitiveOf(scene, surface.sources[face.source]);
     const auto& uvs = primitive.uvs[static_cast<std::size_t>(texture.texCoord)];
-    if (uvs.empty()) return std::nullopt;
+    if (texture && uvs.empty()) return false;
     const Corners corners = cornersOf(primitive, face);
     const double area = areaOf(surface, face), places = std::ceil(PLACES * area / worn.area);
     for (double i = 0; i < places; ++i, ++place) {
       glm::dvec2 at = glm::fract(glm::dvec2(0.5) + place * glm::dvec2(0.7548776662466927, 0.5698402909980532));
       if (at.x + at.y > 1) at = 1.0 - at;
       const glm::dvec3 weights(1 - at.x - at.y, at.x, at.y);
-      const glm::dvec2 uv(mixed(uvs, corners, weights));
+      const glm::dvec2 uv = texture ? glm::dvec2(mixed(uvs, corners, weights)) : glm::dvec2(0);
       if (!std::isfinite(uv.x + uv.y)) continue;
-      glm::dvec4 there = color.at(uv);
-      if (!primitive.colors.empty()) there *= glm::dvec4(mixed(primitive.colors, corners, weights));
-      sum += area / places * color.cover(there.a) * glm::dvec4(glm::dvec3(there), 1);
+      visit(WornPlace{primitive, corners, weights, glm::dvec2(transform * glm::dvec3(uv, 1)), area / places});
     }
   }
-  return sum.w > 0 ? std::optional(glm::dvec3(sum) / sum.w) : std::nullopt;
+  return true;
+}
+
+}  // namespace
+
+bool wearsATile(const Scene& scene, const surface::Surface& surface, const Worn& worn, const CancelToken& cancel) {
+  const TextureRef& texture = scene.materials.at(static_cast<std::size_t>(worn.material)).baseColorTexture;
+  if (texture.sampler.wrapS == Sampler::CLAMP_TO_EDGE || texture.sampler.wrapT == Sampler::CLAMP_TO_EDGE) return false;
+  const auto cellOf = [](double coordinate, std::uint32_t wrap) {
+    return texelAt(wrap == Sampler::MIRRORED_REPEAT ? coordinate / 2 : coordinate, Sampler::REPEAT, CELLS);
+  };
+  std::array<bool, std::size_t{CELLS} * CELLS> isWorn{};
+  const bool all = visitWorn(scene, surface, worn, cancel, [&](const WornPlace& place) {
+    const std::size_t x = cellOf(place.texture.x, texture.sampler.wrapS);
+    isWorn[CELLS * cellOf(place.texture.y, texture.sampler.wrapT) + x] = true;
+  });
+  return all && std::all_of(isWorn.begin(), isWorn.end(), [](bool cell) { return cell; });
+}
+
+std::optional<glm::dvec3> meanTileColor(const Scene& scene, const Worn& worn) {
+  const Material& material = scene.materials.at(static_cast<std::size_t>(worn.material));
+  const Image8& image = scene.images[static_cast<std::size_t>(material.baseColorTexture.image)];
+  if (!decodesSrgb(image.coding, true)) return std::nullopt;
+  const glm::dvec4 factor = glm::dvec4(material.baseColorFactor) * worn.color / worn.area;
+  std::array<std::uint8_t, 256> counts{};
+  for (std::size_t code = 0; code < counts.size(); ++code) {
+    const double cover = coverOf(material, static_cast<double>(code) / 255 * factor.a);
+    // What is blended counts by its texels' alpha: the rest of it is the same all over.
+    counts[code] = static_cast<std::uint8_t>(material.alphaMode == AlphaMode::kBlend ? code : cover);
+  }
+  auto mean = meanOfSrgb(image, counts);
+  if (!mean) mean = meanOfSrgb(image, false);  // nothing of it covers: the colour that it would have
+  return mean ? std::optional(*mean * glm::dvec3(factor)) : std::nullopt;
+}
+
+std::optional<glm::dvec3> meanWornColor(const Scene& scene, const surface::Surface& surface, const Worn& worn,
+                                        const CancelToken& cancel) {
+  const Material& material = scene.materials.at(static_cast<std::size_t>(worn.material));
+  if (const TextureRef& texture = material.baseColorTexture) {
+    const Image8& image = scene.images[static_cast<std::size_t>(texture.image)];
+    if (!decodesSrgb(image.coding, true) || image.type != TexelType::kByte || image.pixels.empty()) return std::nullopt;
+  }
+  const BaseColor color(scene, material);
+  glm::dvec4 covering(0), all(0);  // sums of colours by what covers, and by area, and of that
+  const bool known = visitWorn(scene, surface, worn, cancel, [&](const WornPlace& place) {
+    glm::dvec4 there = color.at(place.texture);
+    const auto& colors = place.primitive.colors;
+    if (!colors.empty()) there *= glm::dvec4(mixed(colors, place.corners, place.weights));
+    const glm::dvec4 counted = place.area * glm::dvec4(glm::dvec3(there), 1);
+    covering += coverOf(material, there.a) * counted;
+    all += counted;
+  });
+  // Where nothing of it covers, the colour that it would have.
+  const glm::dvec4& sum = covering.w > 0 ? covering : all;
+  return known && sum.w > 0 ? std::optional(glm::dvec3(sum) / sum.w) : std::nullopt;
 }
 
 std::array<glm::dvec2, 2> wornPlace(const Scene& scene, const surface::Surface& surface, const Worn& worn,

@@ -1,6 +1,8 @@
 #include "telar/part.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -130,6 +132,22 @@ class PartMeasure {
   asset::DrawnPoints points_;
 };
 
+/// Visits each drawn vertex in each of its places, without those of what is left out.
+template <typename Visit>
+void visitShown(const Scene& scene, const std::string& variant, const std::vector<Shot::Ghost>& ghost,
+                const CancelToken& cancel, const Visit& visit) {
+  const PartOpacities opacities(scene, ghost);
+  const int index = variantOf(scene, variant);
+  asset::DrawnPoints points(cancel);
+  for (const Node& node : scene.nodes) {
+    cancel.check();
+    if (node.mesh < 0) continue;
+    for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
+      if (opacities.of(node, materialIndex(primitive, index)) != 0) points.visit(node, primitive, visit);
+    }
+  }
+}
+
 }  // namespace
 
 std::string describePart(const Scene& scene, const PartQuery& query, const std::vector<Shot::Ghost>& ghost,
@@ -141,20 +159,29 @@ std::string describePart(const Scene& scene, const PartQuery& query, const std::
 
 std::string describeShown(const Scene& scene, const std::string& variant, const std::vector<Shot::Ghost>& ghost,
                           const CancelToken& cancel) {
-  const PartOpacities opacities(scene, ghost);
-  const int index = variantOf(scene, variant);
-  asset::DrawnPoints points(cancel);
   Extent extent;
-  for (const Node& node : scene.nodes) {
-    cancel.check();
-    if (node.mesh < 0) continue;
-    for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
-      if (opacities.of(node, materialIndex(primitive, index)) == 0) continue;
-      points.visit(node, primitive, [&](const glm::dvec3& p) { extent.add(p); });
-    }
-  }
+  visitShown(scene, variant, ghost, cancel, [&](const glm::dvec3& p) { extent.add(p); });
   json out;
   extent.describe(out);
+  return out.dump();
+}
+
+std::string describeRanges(const Scene& scene, const std::array<glm::dvec3, 3>& axes, const std::string& variant,
+                           const std::vector<Shot::Ghost>& ghost, const CancelToken& cancel) {
+  constexpr double INFINITE = std::numeric_limits<double>::infinity();
+  std::array<double, 3> low{}, high{};
+  low.fill(INFINITE), high.fill(-INFINITE);
+  visitShown(scene, variant, ghost, cancel, [&](const glm::dvec3& p) {
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+      const double along = glm::dot(p, axes[i]);
+      if (std::isfinite(along)) low[i] = std::min(low[i], along), high[i] = std::max(high[i], along);
+    }
+  });
+  json out = json::array();
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    if (low[i] > high[i]) return "null";
+    out.push_back({low[i], high[i]});
+  }
   return out.dump();
 }
 

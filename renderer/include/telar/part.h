@@ -1,4 +1,6 @@
 #pragma once
+#include <array>
+#include <glm/glm.hpp>
 #include <string>
 #include <vector>
 
@@ -23,6 +25,14 @@ std::string describePart(const Scene& scene, const PartQuery& query, const std::
 /// @throws Error{E_FRAME (the model draws no such ghost), X_CANCELLED}
 std::string describeShown(const Scene& scene, const std::string& variant, const std::vector<Shot::Ghost>& ghost,
                           const CancelToken& cancel);
+
+/// From where to where a shot with ghosts shows something along each axis, of all drawn vertices: [[low, high], ...] as JSON, metres;
+/// null where nothing is drawn. The outline of describeShown() is exact along its own directions alone.
+/// @param axes  of unit length
+/// @param variant  KHR_materials_variants name; empty = none
+/// @throws Error{E_FRAME (the model draws no such ghost), X_CANCELLED}
+std::string describeRanges(const Scene& scene, const std::array<glm::dvec3, 3>& axes, const std::string& variant,
+                           const std::vector<Shot::Ghost>& ghost, const CancelToken& cancel);
 
 constexpr std::size_t PART_NAMES_MAX = 256;
 

@@ -11,8 +11,8 @@ namespace telar {
 
 struct Swatch {
   std::shared_ptr<const Scene> scene;
-  /// The base colour as a whole, linear Rec.709: the mean over the tile of a texture that repeats on the square, else over the triangles that
-  /// wear the material. None where it is draped, where a tile has holes, and where the texture is not coded as sRGB in bytes.
+  /// The base colour as a whole, linear Rec.709, by what covers (BLEND, MASK): the mean over the tile of a texture where the garment wears all
+  /// of it, else over the triangles that wear the material. None where it is draped, and where the texture is not coded as sRGB in bytes.
   std::optional<glm::dvec3> meanBaseColor;
 };
 

@@ -39,6 +39,61 @@ TEST(Section, ThroughCornersLosesNothing) {
   EXPECT_NEAR(loops[0].length(), 96 * std::sin(PI / 48), 1e-6);
 }
 
+TEST(Section, InThePlaneOfItsEndsIsTheirCircle) {
+  const Surface straight = tube(48, 1, 0);
+  for (const double end : {-1.0, 1.0}) {
+    for (const double normal : {-1.0, 1.0}) {
+      // And as far off as the rounding of a coordinate of a file is.
+      for (const double off : {0.0, 1e-8, -1e-8}) {
+        const auto loops = sectionOf(straight, {1, end + off, 0}, {0, normal, 0}, {});
+        ASSERT_EQ(loops.size(), 1u) << end << ", " << normal << ", " << off;
+        EXPECT_TRUE(loops[0].closed);
+        EXPECT_NEAR(loops[0].length(), 96 * std::sin(PI / 48), 1e-6) << end << ", " << normal << ", " << off;
+      }
+    }
+    EXPECT_TRUE(sectionOf(straight, {1, 1.001 * end, 0}, {0, 1, 0}, {}).empty());
+  }
+}
+
+TEST(Section, InThePlaneOfAHemThatRoundingBentIsItsCircle) {
+  // Corners of the hem lie to both sides of the plane.
+  const Surface bent = surfaceOf(test::sheet(48, 24, 0, [](double u, double v) {
+    const double phi = 2 * PI * u;
+    return glm::dvec3(std::cos(phi), 2 * v + (v == 0 ? 1e-7 * std::cos(5 * phi) : 0), -std::sin(phi));
+  }));
+  const auto loops = sectionOf(bent, {1, 0, 0}, {0, 1, 0}, {});
+  ASSERT_EQ(loops.size(), 1u);
+  EXPECT_TRUE(loops[0].closed);
+  EXPECT_NEAR(loops[0].length(), 96 * std::sin(PI / 48), 1e-6);
+}
+
+TEST(Section, OfAHemBesideASleeveThatReachesLowerHasBoth) {
+  const auto tubeAt = [](double x, double bottom) {
+    return test::sheet(48, 24, 0,
+                       [&](double u, double v) {
+                         const double phi = 2 * PI * u;
+                         return glm::dvec3(x + std::cos(phi), glm::mix(bottom, 2.0, v), -std::sin(phi));
+                       })
+        .meshes[0]
+        .primitives[0];
+  };
+  Scene both = test::sceneOf({}, {});
+  both.meshes[0].primitives = {tubeAt(0, 0), tubeAt(5, -1)};
+  const auto loops = sectionOf(surfaceOf(both), {1, 0, 0}, {0, 1, 0}, {});
+  ASSERT_EQ(loops.size(), 2u);
+  for (const Loop& loop : loops) {
+    EXPECT_TRUE(loop.closed);
+    EXPECT_NEAR(loop.length(), 96 * std::sin(PI / 48), 1e-6);
+  }
+}
+
+TEST(Section, ThatTouchesACornerHasNoLoopThere) {
+  // A corner of a cone that points down.
+  const Surface cone = surfaceOf(test::sheet(
+      24, 4, 0, [](double u, double v) { return glm::dvec3(v * std::cos(2 * PI * u), v, -v * std::sin(2 * PI * u)); }));
+  EXPECT_TRUE(sectionOf(cone, {0, 0, 0}, {0, 1, 0}, {}).empty());
+}
+
 TEST(Section, OfAnOpenSheetIsOpen) {
   const Surface flat = surfaceOf(test::sheet(5, 5, 0.3, [](double u, double v) { return glm::dvec3(u, v, 0); }));
   const auto loops = sectionOf(flat, {0, 0.37, 0}, {0, 1, 0}, {});

@@ -84,6 +84,41 @@ TEST(MeasureScene, PointsOnDifferentPartsAreJoinedStraightAndAlongTheSurfaceWher
   EXPECT_NEAR(lengthOf(scene, along), 1.002, 0.0021);
 }
 
+/// The faces a second time, wound the other way, as files have it that give each side of a cloth its own.
+Scene doubled(const Scene& scene) {
+  const Primitive& primitive = scene.meshes[0].primitives[0];
+  std::vector<std::uint32_t> indices(primitive.indices.begin(), primitive.indices.end());
+  for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
+    for (const std::size_t k : {2u, 1u, 0u}) indices.push_back(primitive.indices[i + k]);
+  }
+  return test::sceneOf({primitive.positions.begin(), primitive.positions.end()}, indices);
+}
+
+TEST(MeasureScene, OverASurfaceThatIsThereTwiceIsThatOverOne) {
+  // Fine enough that windows which go on into each of two faces at each edge would be more than are allowed.
+  const Scene tube = test::sheet(48, 20, 0, [](double u, double v) {
+    const double phi = 2 * std::numbers::pi * u, r = (0.2 - 0.06 * v) * (1 + 0.06 * std::sin(5 * phi + 3 * v));
+    return glm::dvec3(r * std::cos(phi), 0.6 * v, r * std::sin(phi));
+  });
+  const json asked = requestOf({{0, 0.02, 0.2}, {0.2, 0.5, 0.05}}, "surface");
+  EXPECT_NEAR(lengthOf(doubled(tube), asked), lengthOf(tube, asked), 1e-12);
+}
+
+TEST(MeasureScene, ATriangleOfASurfaceThatIsThereTwiceIsWhereItWasNamed) {
+  const Scene one = squareIn(glm::dmat4(1)), two = doubled(one);
+  // Triangle 2 is triangle 0 wound the other way: its first corner is the other's last.
+  json asked = requestOf({{0.5, 0.5, 0}}, "straight");
+  asked["ask"]["points"] = {
+      {{"node", 0}, {"primitive", 0}, {"triangle", 0}, {"weights", {0.2, 0.7, 0.1}}},
+      {{"node", 0}, {"primitive", 0}, {"triangle", 2}, {"weights", {0.1, 0.7, 0.2}}},
+  };
+  const json told = json::parse(measureScene(two, asked.dump(), {}));
+  EXPECT_NEAR(told.at("length").get<double>(), 0, 1e-12);
+  EXPECT_EQ(told.at("points").at(1).at("triangle"), 2);
+  EXPECT_EQ(told.at("points").at(1).at("weights"), json({0.1, 0.7, 0.2}));
+  EXPECT_ERROR(measureScene(one, asked.dump(), {}), "E_MEASURE");
+}
+
 TEST(NearestPlace, IsTheNearestOfAllTriangles) {
   const surface::Surface cloth = surface::buildSurface(
       test::sheet(17, 13, 0.49,

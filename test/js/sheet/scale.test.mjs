@@ -2,6 +2,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import '../api/support/real.mjs';
 import { createRenderer } from '../../../js/index.mjs';
+import { cornersOfBox } from '../../../js/shot/frame.mjs';
 import { PIXELS_MAX } from '../../../js/shot/true_scale.mjs';
 import { basisOf, extentOf, fittingRatio, ratioOf, scaleText, trueView } from '../../../js/sheet/scale.mjs';
 import { squareModel } from './square.mjs';
@@ -11,6 +12,15 @@ before(async () => {
   renderer = await createRenderer();
 });
 after(() => renderer.close());
+
+/** What a direction sees of some points. */
+function seenOf(points, basis) {
+  const alongOf = (axis) => points.map((point) => point.reduce((sum, value, i) => sum + value * axis[i], 0));
+  return extentOf(
+    [basis.right, basis.up, basis.back].map(alongOf).map((along) => [Math.min(...along), Math.max(...along)]),
+    basis,
+  );
+}
 
 const BOX = { min: [-0.2, 0, -0.1], max: [0.4, 0.7, 0.3] };
 
@@ -27,7 +37,7 @@ test('the largest usual scale that fits is taken', () => {
 });
 
 test('an extent is that of the direction', () => {
-  const extent = (view, box = BOX) => extentOf(box, basisOf(view));
+  const extent = (view, points = cornersOfBox(BOX)) => seenOf(points, basisOf(view));
   const sizes = ['front', 'right', 'top'].map((view) => extent({ view })).map(({ width, height }) => [width, height].map((x) => Number(x.toFixed(9))));
   assert.deepEqual(sizes, [
     [0.6, 0.7],
@@ -36,14 +46,14 @@ test('an extent is that of the direction', () => {
   ]);
   extent({ view: 'back' }).centre.forEach((x, i) => assert.ok(Math.abs(x - [0.1, 0.35, 0.1][i]) < 1e-12));
   // A diamond seen from a corner is narrower than its box.
-  const outline = [
+  const diamond = [
     [-1, 0, 0],
     [1, 0, 0],
     [0, 0, -1],
     [0, 0, 1],
     [0, 1, 0],
   ];
-  const turned = extent({ azimuth: 45, elevation: 0 }, { min: [-1, 0, -1], max: [1, 1, 1], outline });
+  const turned = extent({ azimuth: 45, elevation: 0 }, diamond);
   assert.ok(Math.abs(turned.width - Math.SQRT2) < 1e-12, String(turned.width));
 });
 
@@ -53,7 +63,7 @@ test('a millimetre on paper is the same length of the model all over the picture
     [5, 200],
     [0.5, 140],
   ]) {
-    const view = trueView(extentOf(BOX, basisOf({ view: 'front' })), { ratio, ppi, margin: 2 });
+    const view = trueView(seenOf(cornersOfBox(BOX), basisOf({ view: 'front' })), { ratio, ppi, margin: 2 });
     const [a, b] = [
       [0, 0.1, 0.3],
       [0.3, 0.1, -0.1],
@@ -65,7 +75,7 @@ test('a millimetre on paper is the same length of the model all over the picture
 });
 
 test('a picture of more pixels than can be drawn has a lower resolution, and all of the garment', () => {
-  const view = trueView(extentOf(BOX, basisOf({ view: 'front' })), { ratio: 1, ppi: 600, margin: 2 });
+  const view = trueView(seenOf(cornersOfBox(BOX), basisOf({ view: 'front' })), { ratio: 1, ppi: 600, margin: 2 });
   assert.ok(Math.max(view.size.width, view.size.height) <= PIXELS_MAX, JSON.stringify(view.size));
   assert.ok(Math.abs(view.paper.width - 604) < 0.1, `${view.paper.width}`);
   const [[left], [right]] = [BOX.min, BOX.max].map(view.paperOf);
@@ -75,7 +85,7 @@ test('a picture of more pixels than can be drawn has a lower resolution, and all
 test('a point is drawn where the pure function says, by the matrix of the renderer', async () => {
   const model = await renderer.load(await squareModel());
   for (const view of [{ view: 'front' }, { view: 'back' }, { azimuth: 37, elevation: 21 }]) {
-    const seen = trueView(extentOf({ ...model.facts.bounds, outline: model.facts.outline }, basisOf(view)), { ratio: 4, ppi: 100, margin: 3 });
+    const seen = trueView(seenOf(model.facts.outline, basisOf(view)), { ratio: 4, ppi: 100, margin: 3 });
     const { info } = await renderer.render(model, { size: seen.size, camera: seen.camera, environment: 'none' });
     const m = info.worldToPixel;
     for (const [x, y, z] of [

@@ -5,7 +5,7 @@ import { plane } from '../../fixtures/geometry.mjs';
 import { GlbBuilder } from '../../fixtures/glb.mjs';
 import { png } from '../../fixtures/images.mjs';
 import { createRenderer } from '../../../js/index.mjs';
-import { meanOf, Squares } from '../../../js/sheet/squares.mjs';
+import { ALBEDO, meanOf, Squares } from '../../../js/sheet/squares.mjs';
 
 // The colour that a sheet prints is that of the texels, not of mip levels, which round at each: a driver that rounds otherwise printed another code.
 
@@ -54,10 +54,13 @@ test('it is the mean over the texels, however small they lie', async () => {
     const { linear: printed } = await coloursOf(await panel({ baseColor: [...factor, 1], textures: { baseColor } }, tiles));
     near(printed, expected, 1e-7);
   }
-  // Planted: levels of the texture, of which the picture of the square is drawn.
-  const masked = await coloursOf(await panel({ baseColor: [...factor, 1], textures: { baseColor }, alphaMode: 'MASK' }, 40));
-  assert.throws(() => near(masked.linear, expected, 1e-4));
-  near(masked.linear, expected, 0.01);
+  // Planted: levels of the texture, of which the picture of a square is drawn.
+  const masked = await panel({ baseColor: [...factor, 1], textures: { baseColor }, alphaMode: 'MASK' }, 40);
+  const square = await new Squares({ model: masked, renderer, call: {} }).model({ material: 'cloth', variant: '' }, []);
+  const { layers } = await renderer.render(square, ALBEDO);
+  const [albedo, coverage] = [layers.albedo, layers.coverage].map((bytes) => new Float32Array(Uint8Array.from(bytes).buffer));
+  assert.throws(() => near(meanOf(albedo, coverage), expected, 1e-4));
+  near((await coloursOf(masked)).linear, expected, 1e-7);
 });
 
 test('without a texture it is the factor', async () => {
@@ -122,7 +125,7 @@ test('what is no number is black, and no colour of letters', () => {
   assert.deepEqual(meanOf(new Float32Array([NaN, 0.5, 0.25, 1, 0.5, 0.75]), new Float32Array([1, 1])), [0.5, 0.5, 0.5]);
 });
 
-test('of a print that does not repeat on the square it is the mean over the panel, of a tile with holes what is seen', async () => {
+test('of a print of which the garment wears a part it is the mean over the panel', async () => {
   // A light square in the middle of a dark one.
   const side = 64;
   const [light, dark] = [0.8, 0.1].map((value) => linear(Math.round(value * 255)));
@@ -136,8 +139,71 @@ test('of a print that does not repeat on the square it is the mean over the pane
   const mirrored = await colours({ baseColor: { image: await png(2, 2, (u) => [u, u, u, 1]), wrap: [33648, 33648] } }, 1.5);
   const [low, high] = [0.25, 0.75].map((value) => linear(Math.round(value * 255)));
   near(mirrored.linear, Array(3).fill(low / 3 + (high * 2) / 3), 1e-3); // low, high, and the mirror image of high
-  const holes = await png(side, side, (u) => (u < 0.5 ? [0.8, 0.8, 0.8, 1] : [0.1, 0.1, 0.1, 0]));
-  const seen = await colours({ baseColor: { image: holes, wrap: [10497, 10497] } }, 4, { alphaMode: 'MASK' });
-  assert.equal(seen.exact, null);
-  assert.ok(seen.linear[0] > 0.5, `${seen.linear}: what is there`);
+});
+
+/** Half of it cloth of this colour, half a hole: what lies in the hole is of no colour, and its own is that of a file that says black or white there. */
+const holed = (cloth, alpha, hole) => png(64, 64, (u, v, x) => (x % 8 < 4 ? [...cloth, alpha] : [...hole, 0]));
+
+test('what is sheer or has holes has the colour of its cloth', async () => {
+  const cloth = [0.8, 0.6, 0.4];
+  const expected = cloth.map((value) => linear(Math.round(value * 255)));
+  for (const alphaMode of ['BLEND', 'MASK'])
+    for (const hole of [
+      [0, 0, 0],
+      [1, 1, 1],
+    ])
+      for (const tiles of [0.9, 4, 40]) {
+        const baseColor = { image: await holed(cloth, alphaMode === 'MASK' ? 1 : 0.3, hole), wrap: [10497, 10497] };
+        const { exact, linear: printed } = await coloursOf(
+          await panel({ baseColor: [1, 1, 1, 1], textures: { baseColor }, alphaMode, doubleSided: true }, tiles),
+        );
+        near(printed, expected, 1e-6);
+        assert.ok(exact, `${alphaMode}, ${tiles} tiles: not by a picture`);
+      }
+  // Without a texture, however sheer: also where nothing is left of it.
+  for (const alpha of [1, 0.49, 0.1, 0])
+    for (const alphaMode of ['BLEND', 'MASK'])
+      near((await coloursOf(await panel({ baseColor: [0.8, 0.4, 0.2, alpha], alphaMode }, 1))).linear, [0.8, 0.4, 0.2], 1e-6);
+  // A texture that cuts all away still has colours.
+  const gone = { image: await png(4, 4, () => [...cloth, 0]), wrap: [10497, 10497] };
+  for (const tiles of [0.5, 4]) near((await coloursOf(await panel({ textures: { baseColor: gone }, alphaMode: 'BLEND' }, tiles))).linear, expected, 1e-6);
+});
+
+test('what is sheer has its colour also where a picture tells it', async () => {
+  // Texture coordinates are missing: no texel can be told.
+  const builder = new GlbBuilder();
+  const { uvs, ...bare } = plane(0.2, 0.2);
+  const baseColor = { image: await png(4, 4, () => [0.8, 0.6, 0.4, 0.3]) };
+  builder.add(bare, builder.material({ name: 'cloth', alphaMode: 'BLEND', textures: { baseColor } }), { name: 'panel' });
+  const { exact, linear: printed } = await coloursOf(await renderer.load(await builder.bytes()));
+  assert.equal(exact, null);
+  near(
+    printed,
+    [0.8, 0.6, 0.4].map((value) => linear(Math.round(value * 255))),
+    0.005,
+  );
+});
+
+test('colours of vertices count by what covers there', async () => {
+  const { positions } = plane(0.2, 0.2);
+  const isLeft = Array.from({ length: positions.length / 3 }, (_, i) => positions[3 * i] < 0);
+  // From red that covers to blue that does not: the alpha falls along the panel as the blue grows.
+  const colors = Float32Array.from(isLeft.flatMap((left) => (left ? [1, 0, 0, 1] : [0, 0, 1, 0])));
+  const { linear: printed } = await coloursOf(await panel({ alphaMode: 'BLEND' }, 1, { colors }));
+  near(printed, [2 / 3, 0, 1 / 3], 1e-3);
+});
+
+test('a trim of any size has the colour of what it wears of an atlas', async () => {
+  // Cloth in the middle, padding around it.
+  const isCloth = (t) => t > 0.25 && t < 0.75;
+  const baseColor = { image: await png(64, 64, (u, v) => [...(isCloth(u) && isCloth(v) ? [0.86, 0.12, 0.12] : [0, 0, 0]), 1]), wrap: [10497, 10497] };
+  const expected = [0.86, 0.12, 0.12].map((value) => linear(Math.round(value * 255)));
+  for (const side of [0.3, 0.05, 0.005])
+    for (const offset of [0, 3]) {
+      const builder = new GlbBuilder();
+      const label = plane(side, side, { cells: 4 });
+      const uvs = Float32Array.from(label.uvs, (t) => offset + 0.3 + 0.4 * t);
+      builder.add({ ...label, uvs }, builder.material({ name: 'cloth', textures: { baseColor } }), { name: 'label' });
+      near((await coloursOf(await renderer.load(await builder.bytes()))).linear, expected, 1e-6);
+    }
 });

@@ -1,3 +1,4 @@
+#include <array>
 #include <chrono>
 #include <cstring>
 #include <new>
@@ -133,6 +134,11 @@ std::string describePart(const Scene&, const PartQuery&, const std::vector<Shot:
 
 std::string describeShown(const Scene&, const std::string&, const std::vector<Shot::Ghost>&, const CancelToken&) {
   return R"({"bounds": null, "outline": []})";
+}
+
+std::string describeRanges(const Scene&, const std::array<glm::dvec3, 3>&, const std::string&,
+                           const std::vector<Shot::Ghost>&, const CancelToken&) {
+  return "null";
 }
 
 std::vector<std::byte> encode(const Frame& frame, const OutputOptions&, const CancelToken& cancel) {
