@@ -2,6 +2,9 @@
 #include <bit>
 #include <cmath>
 
+#include "image/environment_header.h"
+#include "image/exr_chunks.h"
+#include "image/exr_header.h"
 #include "image/oiio_bridge.h"
 #include "image/radiance_decode.h"
 
@@ -39,6 +42,7 @@ ImageF readEnvironment(std::span<const std::byte> file, const Limits& limits, co
   const double texels = double(header.width) * header.height;
   checkLimit("L_ENVIRONMENT_PIXELS", double(limits.environmentPixels), texels);
   const bool rgbe = header.format == image::EnvironmentFormat::kHdr;
+  if (!rgbe) image::checkExrChunks(file, image::readExrHeader(file), cancel);
   ImageF out =
       rgbe ? image::decodeRadiance(file, header, cancel) : image::readExr(file, header.width, header.height, cancel);
 
