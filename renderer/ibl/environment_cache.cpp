@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
+#include <string>
 
 #include "core/read_file.h"
 #include "core/sha256.h"
 #include "ibl/pmrem_file.h"
 #include "telar/codec.h"
+#include "telar/error.h"
 
 namespace telar::ibl {
 namespace {
@@ -60,6 +63,15 @@ ImageF turned(const ImageF& map, double degrees) {
   for (auto row = out.pixels.begin(); row != out.pixels.end(); row += width * 4)
     std::rotate(row, row + first * 4, row + width * 4);
   return out;
+}
+
+/// What a GL holds is known only here; GL itself would say nothing of the map.
+void checkSide(const char* texture, int most, std::uint32_t side) {
+  if (side <= static_cast<std::uint32_t>(most)) return;
+  throw Error("L_ENVIRONMENT_PIXELS", "L_ENVIRONMENT_PIXELS: the environment has a side of " + std::to_string(side) +
+                                          " pixels, and the largest " + texture + " of this OpenGL " +
+                                          std::to_string(most) + "; give a smaller map")
+      .withLimit("L_ENVIRONMENT_PIXELS", most, side);
 }
 
 }  // namespace
@@ -155,6 +167,8 @@ const Environment& EnvironmentCache::get(const Shot::Environment& wanted, std::s
     if (decoded) return *decoded;
     if (studio) bytes = own = fileOf(wanted);
     decoded = readEnvironment(bytes, limits_, cancel, EnvironmentRange::kFull);
+    const int most = context_.capabilities().maxTextureSize;
+    checkSide("texture", most, std::max(decoded->width, decoded->height));
     if (uses.smallSuns) taken = takeSuns(*decoded);
     return *decoded;
   };
@@ -188,6 +202,9 @@ const Environment& EnvironmentCache::get(const Shot::Environment& wanted, std::s
   if (uses.background && environment.background.faceSize == 0) {
     // Face size = height of the map, or half of it, as three.js does.
     const bool half = uses.three.backgroundCube == ThreeTerms::THREE_BACKGROUND_CUBE_HALF;
+    GLint most = 0;
+    context_.gl().GetIntegerv(GL_MAX_CUBE_MAP_TEXTURE_SIZE, &most);
+    checkSide("cube texture", most, half ? shownMap().height / 2 : shownMap().height);
     const auto rows = static_cast<int>(shownMap().height);
     environment.background = equirectToCube(context_, uploadEquirect(context_.gl(), shownMap()),
                                             half ? std::max(rows / 2, 1) : rows, 1, false, cancel);

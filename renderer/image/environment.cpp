@@ -1,7 +1,12 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdint>
+#include <string>
 
+#include "image/environment_header.h"
+#include "image/exr_chunks.h"
+#include "image/exr_header.h"
 #include "image/oiio_bridge.h"
 #include "image/radiance_decode.h"
 
@@ -30,15 +35,30 @@ float clamped(float value, float most) {
   return value < HALF_MAX ? truncateToHalf(value) : std::min(value, most);
 }
 
+/// Cubes and atlases are as large as one side of a map asks for, however short the other is: a map costs what one twice
+/// as wide as high costs that has its longer side.
+void checkSize(const image::EnvironmentHeader& header, const Limits& limits) {
+  const double width = header.width, height = header.height, most = double(limits.environmentPixels);
+  checkLimit("L_ENVIRONMENT_PIXELS", most, width * height);
+  const double wide = std::max(width, 2 * height), cost = wide * wide / 2;
+  if (cost <= most) return;
+  const auto text = [](double x) { return std::to_string(static_cast<std::uint64_t>(x)); };
+  throw Error("L_ENVIRONMENT_PIXELS", "L_ENVIRONMENT_PIXELS: an environment of " + text(width) + " x " + text(height) +
+                                          " pixels costs as much as one of " + text(wide) + " x " + text(wide / 2) +
+                                          ": " + text(cost) + " is over the limit of " + text(most) +
+                                          "; give a smaller map, or raise this limit for files that you trust")
+      .withLimit("L_ENVIRONMENT_PIXELS", most, cost);
+}
+
 }  // namespace
 
 ImageF readEnvironment(std::span<const std::byte> file, const Limits& limits, const CancelToken& cancel,
                        EnvironmentRange range) {
   cancel.check();
   const image::EnvironmentHeader header = image::readEnvironmentHeader(file);
-  const double texels = double(header.width) * header.height;
-  checkLimit("L_ENVIRONMENT_PIXELS", double(limits.environmentPixels), texels);
+  checkSize(header, limits);
   const bool rgbe = header.format == image::EnvironmentFormat::kHdr;
+  if (!rgbe) image::checkExrChunks(file, image::readExrHeader(file), cancel);
   ImageF out =
       rgbe ? image::decodeRadiance(file, header, cancel) : image::readExr(file, header.width, header.height, cancel);
 

@@ -1,7 +1,10 @@
 #include "image/environment_header.h"
 
+#include <algorithm>
 #include <charconv>
 #include <string>
+
+#include "image/exr_header.h"
 
 namespace telar::image {
 namespace {
@@ -9,10 +12,6 @@ namespace {
 constexpr std::size_t HDR_HEADER_MAX = 64 << 10;
 constexpr std::uint32_t SIDE_MAX =
     1 << 20;  // keeps width * height far from overflow; the limit is L_ENVIRONMENT_PIXELS
-
-Error unsupported(const std::string& what) {
-  return Error("E_ENVIRONMENT_FORMAT", "the environment " + what + "; save it as an equirectangular .hdr or .exr map");
-}
 
 /// Radiance picture format: text lines, an empty line, then "-Y height +X width". Lines end with LF, or with CR and LF,
 /// as three.js reads them.
@@ -54,7 +53,7 @@ EnvironmentHeader readHdr(Bytes file) {
   for (std::string_view line = lines.next(); !line.empty(); line = lines.next()) {
     if (line.starts_with("FORMAT=")) known = line == "FORMAT=32-bit_rle_rgbe";
   }
-  if (!known) throw unsupported("is a .hdr file that does not hold RGBE pixels");
+  if (!known) throw unsupportedEnvironment("is a .hdr file that does not hold RGBE pixels");
   const std::size_t offset = lines.position();
   std::string_view size = lines.next();
   EnvironmentHeader header{EnvironmentFormat::kHdr};
@@ -67,64 +66,20 @@ EnvironmentHeader readHdr(Bytes file) {
   return header;
 }
 
-/// OpenEXR: magic, version and flags, then attributes (name, type, 32-bit size, value) up to an empty name; all
-/// little-endian. A multi-part file has one such list for each part; the first is used.
-class ExrAttributes {
- public:
-  explicit ExrAttributes(Bytes file) : file_(file) {}
-
-  /// False behind the last attribute.
-  bool next() {
-    name = word();
-    if (name.empty()) return false;
-    type = word();
-    if (file_.size() - position_ < 4) throw damagedEnvironment(".exr header is cut", file_.size());
-    const std::size_t size = le32(data(file_) + position_);
-    position_ += 4;
-    if (size > file_.size() - position_)
-      throw damagedEnvironment(".exr header has an attribute longer than the file", position_);
-    value = file_.subspan(position_, size);
-    position_ += size;
-    return true;
-  }
-
-  std::string_view name, type;
-  Bytes value;
-
- private:
-  std::string_view word() {
-    const std::string_view text(reinterpret_cast<const char*>(file_.data()), file_.size());
-    const std::size_t end = text.find('\0', position_);
-    if (end == std::string_view::npos) throw damagedEnvironment(".exr header is cut", file_.size());
-    const std::string_view found = text.substr(position_, end - position_);
-    position_ = end + 1;
-    return found;
-  }
-
-  Bytes file_;
-  std::size_t position_ = 8;
-};
-
-std::uint32_t side(const std::uint8_t* box, std::size_t axis) {
-  const std::int64_t low = std::int32_t(le32(box + 4 * axis)), high = std::int32_t(le32(box + 8 + 4 * axis));
-  const std::int64_t length = high - low + 1;
-  return length < 1 || length > SIDE_MAX ? (length < 1 ? 0 : SIDE_MAX + 1) : std::uint32_t(length);
+std::uint32_t clampedSide(std::int64_t side) {
+  return static_cast<std::uint32_t>(std::min<std::int64_t>(side, SIDE_MAX + 1));
 }
 
 EnvironmentHeader readExr(Bytes file) {
-  if (file.size() < 8) throw damagedEnvironment(".exr header is cut", file.size());
-  EnvironmentHeader header{EnvironmentFormat::kExr};
-  ExrAttributes attributes(file);
-  while (attributes.next()) {
-    if (attributes.name != "dataWindow" || attributes.type != "box2i" || attributes.value.size() != 16) continue;
-    header.width = side(data(attributes.value), 0);
-    header.height = side(data(attributes.value), 1);
-  }
-  if (!header.width || !header.height) throw damagedEnvironment(".exr file has no data window", 8);
-  return header;
+  const ExrPart first = readExrHeader(file).parts.front();
+  return {EnvironmentFormat::kExr, clampedSide(first.width), clampedSide(first.height)};
 }
 
 }  // namespace
+
+Error unsupportedEnvironment(const std::string& what) {
+  return Error("E_ENVIRONMENT_FORMAT", "the environment " + what + "; save it as an equirectangular .hdr or .exr map");
+}
 
 Error damagedEnvironment(const std::string& what, std::size_t offset) {
   return Error("E_ENVIRONMENT_CORRUPT", "the environment " + what + "; save it again").atOffset(offset);
@@ -133,7 +88,7 @@ Error damagedEnvironment(const std::string& what, std::size_t offset) {
 EnvironmentHeader readEnvironmentHeader(Bytes file) {
   if (hasAt(file, 0, "#?")) return readHdr(file);
   if (hasAt(file, 0, "\x76\x2f\x31\x01")) return readExr(file);
-  throw unsupported(file.empty() ? "is empty" : "is neither a .hdr nor an .exr file");
+  throw unsupportedEnvironment(file.empty() ? "is empty" : "is neither a .hdr nor an .exr file");
 }
 
 }  // namespace telar::image

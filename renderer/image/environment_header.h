@@ -18,6 +18,9 @@ struct EnvironmentHeader {
 /// the file. @throws Error{E_ENVIRONMENT_FORMAT, E_ENVIRONMENT_CORRUPT}
 EnvironmentHeader readEnvironmentHeader(Bytes file);
 
+/// E_ENVIRONMENT_FORMAT: "the environment <what>; save it as an equirectangular .hdr or .exr map".
+[[nodiscard]] Error unsupportedEnvironment(const std::string& what);
+
 /// E_ENVIRONMENT_CORRUPT: "the environment <what>; save it again".
 [[nodiscard]] Error damagedEnvironment(const std::string& what, std::size_t offset);
 

@@ -34,7 +34,7 @@ struct Limits {
   std::uint64_t lights = 64;                  ///< L_LIGHTS: the model's and the shot's
   std::uint64_t shadowTexels = 33'554'432;    ///< L_SHADOW_TEXELS: of all shadow maps of one render
   std::uint64_t textureUnits = 16;            ///< L_TEXTURE_UNITS: of one program with shadows, as in WebGL 2
-  std::uint64_t environmentPixels = 8192ull * 4096;  ///< L_ENVIRONMENT_PIXELS
+  std::uint64_t environmentPixels = 8192ull * 4096;  ///< L_ENVIRONMENT_PIXELS: of a map, and at 2:1 by its longer side
   std::uint64_t programs = 64;                       ///< L_PROGRAMS: shader programs of one render
   std::uint64_t visibilityRays = 10'000'000'000;     ///< L_VISIBILITY_RAYS: of ambient visibility, over all vertices
   std::uint64_t fragments = 10'000'000'000;          ///< L_FRAGMENTS: of one pass over a picture, hidden ones too

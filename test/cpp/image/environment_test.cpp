@@ -1,6 +1,7 @@
 #include <sys/resource.h>
 
 #include <cmath>
+#include <utility>
 
 #include "image/sample_files.h"
 
@@ -139,6 +140,27 @@ TEST(Environment, LimitHoldsBeforeTheLibraryIsNeeded) {
   EXPECT_EQ(codeOf([&] { telar::readEnvironment(flatHdr(2000000000, 2000000000, {}), {}, {}); }),
             "L_ENVIRONMENT_PIXELS");
   useBuiltLibrary();
+}
+
+// Cubes are made for the longer side.
+TEST(Environment, AMapThatIsNoTwiceAsWideAsHighCountsByItsLongerSide) {
+  const auto code = [](int width, int height) {
+    return codeOf([&] { telar::readEnvironment(flatHdr(width, height, {}), {}, {}); });
+  };
+  for (const auto& [width, height] : {std::pair{8194, 1}, {16384, 1}, {20000, 4}, {2, 4097}, {2, 20000}, {1, 8192}})
+    EXPECT_EQ(code(width, height), "L_ENVIRONMENT_PIXELS") << width << " x " << height;
+  // Not too large: what is wrong is that they have no texels.
+  for (const auto& [width, height] : {std::pair{8192, 4096}, {8192, 1}, {2, 4096}})
+    EXPECT_EQ(code(width, height), "E_ENVIRONMENT_CORRUPT") << width << " x " << height;
+  try {
+    telar::readEnvironment(flatHdr(16384, 1, {}), {}, {});
+  } catch (const telar::Error& error) {
+    EXPECT_STREQ(error.what(),
+                 "L_ENVIRONMENT_PIXELS: an environment of 16384 x 1 pixels costs as much as one of 16384 x 8192: "
+                 "134217728 is over the limit of 33554432; give a smaller map, or raise this limit for files that you "
+                 "trust");
+    EXPECT_EQ(error.limit->actual, 134217728);
+  }
 }
 
 TEST(Environment, StopsWhenCancelled) {
