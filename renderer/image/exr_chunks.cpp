@@ -168,9 +168,7 @@ class Walk {
         return runsGive(chunk.packed, whole);
       case ExrCompression::kZips:
       case ExrCompression::kZip:
-        if (whole > chunk.packed.size() * INFLATE_MOST) return false;
-        unpacked_.resize(static_cast<std::size_t>(whole));
-        return inflatesTo(chunk.packed, unpacked_);
+        return inflater_.gives(chunk.packed, whole);
       case ExrCompression::kDwaa:
       case ExrCompression::kDwab:
         return dwa_.fills(chunk.packed, part_.channels, static_cast<std::uint64_t>(chunk.width),
@@ -198,7 +196,7 @@ class Walk {
   const ExrFile& exr_;
   const ExrPart& part_;
   std::uint64_t texelBytes_ = 0;
-  std::vector<std::byte> unpacked_;
+  Inflater inflater_;
   std::vector<std::uint16_t> symbols_;
   DwaChunks dwa_;
 };

@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "image/exr_huffman.h"
-#include "image/exr_unpack.h"
 
 namespace telar::image {
 namespace {
@@ -132,22 +131,17 @@ bool DwaChunks::fills(Bytes packed, const std::vector<ExrChannel>& channels, std
   if (!takeBytes(counts[PLAIN_PACKED], plainPart) || !takeBytes(counts[AC_PACKED], acPart) ||
       !takeBytes(counts[DC_PACKED], dcPart) || !takeBytes(counts[RUNS_PACKED], runsPart))
     return false;
-  const auto inflated = [&](Bytes part, std::uint64_t size) {
-    if (size > part.size() * INFLATE_MOST) return false;
-    bytes_.resize(static_cast<std::size_t>(size));
-    return inflatesTo(part, bytes_);
-  };
-  if (counts[PLAIN_BYTES] != plain || (plain > 0 && !inflated(plainPart, plain))) return false;
+  if (counts[PLAIN_BYTES] != plain || (plain > 0 && !inflater_.gives(plainPart, plain))) return false;
   if (counts[RUNS_RAW] != runs || counts[RUNS_BYTES] > 2 * runs) return false;
-  if (runs > 0 && (!inflated(runsPart, counts[RUNS_BYTES]) || !runsGive(bytes_, runs))) return false;
-  if (counts[DC_COUNT] != cosines || (cosines > 0 && !inflated(dcPart, 2 * cosines))) return false;
+  if (runs > 0 && (!inflater_.gives(runsPart, counts[RUNS_BYTES]) || !runsGive(inflater_.bytes(), runs))) return false;
+  if (counts[DC_COUNT] != cosines || (cosines > 0 && !inflater_.gives(dcPart, 2 * cosines))) return false;
 
   if (counts[AC_COUNT] > 63 * cosines || (counts[AC_COUNT] > 0 && acPart.empty())) return false;
   symbols_.resize(static_cast<std::size_t>(counts[AC_COUNT]));
   if (counts[AC_CODING] == 0 && !decodeExrHuffman(acPart, symbols_)) return false;
   if (counts[AC_CODING] == 1) {
-    if (!symbols_.empty() && !inflated(acPart, 2 * symbols_.size())) return false;
-    if (!symbols_.empty()) std::memcpy(symbols_.data(), bytes_.data(), 2 * symbols_.size());
+    if (!symbols_.empty() && !inflater_.gives(acPart, 2 * symbols_.size())) return false;
+    if (!symbols_.empty()) std::memcpy(symbols_.data(), inflater_.bytes().data(), 2 * symbols_.size());
   }
   return counts[AC_CODING] < 2 && endBlocks(symbols_, cosines);
 }

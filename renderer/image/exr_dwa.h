@@ -1,10 +1,10 @@
 #pragma once
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "image/bytes.h"
 #include "image/exr_header.h"
+#include "image/exr_unpack.h"
 
 namespace telar::image {
 
@@ -16,7 +16,7 @@ class DwaChunks {
   bool fills(Bytes packed, const std::vector<ExrChannel>& channels, std::uint64_t width, std::uint64_t height);
 
  private:
-  std::vector<std::byte> bytes_;
+  Inflater inflater_;
   std::vector<std::uint16_t> symbols_;
 };
 

@@ -2,24 +2,29 @@
 
 #include <libdeflate.h>
 
-#include <memory>
 #include <new>
 
 namespace telar::image {
 namespace {
 
-struct FreeDecompressor {
-  void operator()(libdeflate_decompressor* decompressor) const { libdeflate_free_decompressor(decompressor); }
-};
+/// A stream of deflate grows by less than this.
+constexpr std::uint64_t INFLATE_MOST = 1032;
 
 }  // namespace
 
-bool inflatesTo(Bytes packed, std::span<std::byte> out) {
-  static thread_local const std::unique_ptr<libdeflate_decompressor, FreeDecompressor> decompressor(
-      libdeflate_alloc_decompressor());
-  if (!decompressor) throw std::bad_alloc();
+void Inflater::Free::operator()(libdeflate_decompressor* decompressor) const {
+  libdeflate_free_decompressor(decompressor);
+}
+
+Inflater::Inflater() : decompressor_(libdeflate_alloc_decompressor()) {
+  if (!decompressor_) throw std::bad_alloc();
+}
+
+bool Inflater::gives(Bytes packed, std::uint64_t size) {
+  if (size > packed.size() * INFLATE_MOST) return false;
+  bytes_.resize(static_cast<std::size_t>(size));
   // Without a place for the length, fewer bytes are an error.
-  return libdeflate_zlib_decompress(decompressor.get(), packed.data(), packed.size(), out.data(), out.size(),
+  return libdeflate_zlib_decompress(decompressor_.get(), packed.data(), packed.size(), bytes_.data(), bytes_.size(),
                                     nullptr) == LIBDEFLATE_SUCCESS;
 }
 

@@ -1,17 +1,32 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
-#include <span>
+#include <memory>
+#include <vector>
 
 #include "image/bytes.h"
 
+struct libdeflate_decompressor;
+
 namespace telar::image {
 
-/// Whether `packed` is a zlib stream that gives exactly `out.size()` bytes, which are then there.
-bool inflatesTo(Bytes packed, std::span<std::byte> out);
+/// A decoder of zlib streams, and what the last one gave.
+class Inflater {
+ public:
+  Inflater();  ///< @throws std::bad_alloc
 
-/// A stream of deflate grows by less than this: what claims more is refused before memory is taken for it.
-constexpr std::uint64_t INFLATE_MOST = 1032;
+  /// Whether `packed` is a zlib stream of exactly `size` bytes, which bytes() then has. What claims more than a stream
+  /// can grow to is refused before memory is taken for it.
+  bool gives(Bytes packed, std::uint64_t size);
+  Bytes bytes() const { return bytes_; }
+
+ private:
+  struct Free {
+    void operator()(libdeflate_decompressor* decompressor) const;
+  };
+  std::unique_ptr<libdeflate_decompressor, Free> decompressor_;
+  std::vector<std::byte> bytes_;
+};
 
 /// Whether `packed`, runs as OpenEXR writes them, gives exactly `expected` bytes.
 bool runsGive(Bytes packed, std::uint64_t expected);
