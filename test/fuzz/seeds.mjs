@@ -1,4 +1,8 @@
-import { readFileSync } from 'node:fs';
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
 import sharp from 'sharp';
 import { etc1sKtx2 } from '../fixtures/etc1s.mjs';
 import { blockKtx2 } from '../fixtures/gpu_blocks.mjs';
@@ -13,6 +17,7 @@ import { makeCases } from '../robust/make_cases.mjs';
 // What a fuzzer starts from: small files of each kind, good ones and the hostile ones of test/robust.
 
 const MOST_BYTES = 65_536;
+const EXR_SEEDS = fileURLToPath(new URL('../../out/fuzz/bin/exr_seeds', import.meta.url));
 const SHOTS = new URL('../cpp/shot/resolved_shots.json', import.meta.url);
 
 const side = { width: 24, height: 16 };
@@ -61,9 +66,20 @@ function environments() {
   return [Buffer.concat([head, flat]), Buffer.concat([head, ...Array(height).fill(row)])];
 }
 
+/** By a program that the fuzzers' build makes: every compression of OpenEXR. */
+async function exrs() {
+  const folder = mkdtempSync(path.join(tmpdir(), 'telar-exr-'));
+  try {
+    execFileSync(EXR_SEEDS, [folder]);
+    return readdirSync(folder).map((name) => readFileSync(path.join(folder, name)));
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+}
+
 /** Seeds by target. @type {Record<string, () => Promise<Uint8Array[]>>} */
 export const SEEDS = Object.fromEntries(
-  Object.entries({ model: models, draco, meshopt, image: images, ktx2, environment: environments, shot: shots }).map(([name, make]) => [
+  Object.entries({ model: models, draco, meshopt, image: images, ktx2, environment: environments, exr: exrs, shot: shots }).map(([name, make]) => [
     name,
     async () => (await make()).filter(({ length }) => length <= MOST_BYTES),
   ]),

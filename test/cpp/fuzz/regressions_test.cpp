@@ -14,7 +14,7 @@
 
 using Target = int(const std::uint8_t*, std::size_t);
 extern "C" {
-Target fuzz_model, fuzz_image, fuzz_environment, fuzz_shot;
+Target fuzz_model, fuzz_image, fuzz_environment, fuzz_exr, fuzz_shot;
 /// Of libFuzzer, for the mutators, which nobody calls here.
 std::size_t LLVMFuzzerMutate(std::uint8_t*, std::size_t size, std::size_t) { return size; }
 }
@@ -25,8 +25,8 @@ const std::filesystem::path FOLDER = std::filesystem::path(TELAR_SOURCE_DIR) / "
 
 /// Folders by the function that reads their files, as test/fuzz/CMakeLists.txt has it.
 const std::map<std::string, Target*> TARGETS = {
-    {"model", fuzz_model}, {"draco", fuzz_model}, {"meshopt", fuzz_model},          {"image", fuzz_image},
-    {"ktx2", fuzz_image},  {"shot", fuzz_shot},   {"environment", fuzz_environment}};
+    {"model", fuzz_model}, {"draco", fuzz_model}, {"meshopt", fuzz_model},           {"image", fuzz_image},
+    {"ktx2", fuzz_image},  {"shot", fuzz_shot},   {"environment", fuzz_environment}, {"exr", fuzz_exr}};
 /// Read by test/js/sheet/fuzz.test.mjs.
 constexpr const char* OF_JAVASCRIPT = "spec";
 
