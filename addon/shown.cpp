@@ -9,7 +9,7 @@
 #include "handles.h"
 #include "state.h"
 #include "telar/part.h"
-#include "telar/shot.h"
+#include "telar/part_opacities.h"
 
 namespace telar::addon {
 

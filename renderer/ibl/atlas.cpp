@@ -37,7 +37,8 @@ std::vector<Vertex> tileVertices(int edge) {
   const double texel = 1.0 / (edge - 2), ends[2] = {-texel, 1 + texel};
   std::vector<Vertex> out;
   for (int face = 0; face < FACES; ++face) {
-    const double x = (face % 3) * 2.0 / 3 - 1, y = face / 3 - 1;
+    const int row = face / 3;
+    const double x = (face % 3) * 2.0 / 3 - 1, y = row - 1;
     for (const auto& [i, j] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}}) {
       const glm::dvec2 place(ends[i], ends[j]);
       const Axes& axes = AXES[face];

@@ -32,10 +32,10 @@ bool runsGive(Bytes packed, std::uint64_t expected) {
   const std::uint8_t* bytes = data(packed);
   std::uint64_t count = 0;
   for (std::size_t i = 0; i < packed.size();) {
-    // Below 0, so many bytes as they are; else one byte, once more than the code says.
-    const int code = static_cast<std::int8_t>(bytes[i]);
-    count += static_cast<std::uint64_t>(code < 0 ? -code : code + 1);
-    i += static_cast<std::size_t>(code < 0 ? 1 - code : 2);
+    // A code below 0, of 8 bits: so many bytes as they are; else one byte, once more than the code says.
+    const std::size_t code = bytes[i], plain = code < 128 ? 0 : 256 - code;
+    count += plain ? plain : code + 1;
+    i += plain ? 1 + plain : 2;
     if (i > packed.size() || count > expected) return false;
   }
   return count == expected;

@@ -107,19 +107,21 @@ std::vector<double> heightsOf(const Surface& surface, const glm::dvec3& point, c
 
 /// Points in the plane that are not part of the cut of those below it, nor joined to it in the plane: where the surface ends in the
 /// plane, or comes back from it, from above.
-std::vector<char> touchingPoints(const Surface& surface, const std::vector<double>& heights) {
-  std::vector<char> touching(heights.size());
-  for (std::size_t p = 0; p < heights.size(); ++p) touching[p] = heights[p] == 0 ? 1 : 0;
+std::vector<bool> touchingPoints(const Surface& surface, const std::vector<double>& heights) {
+  std::vector<bool> touching(heights.size());
+  for (std::size_t p = 0; p < heights.size(); ++p) touching[p] = heights[p] == 0;
   std::vector<std::uint32_t> known;
   const auto know = [&](std::uint32_t p) {
-    if (touching[p] != 0) touching[p] = 0, known.push_back(p);
+    if (touching[p]) touching[p] = false, known.push_back(p);
   };
   for (const surface::Edge& edge : surface.edges) {
     if (heights[edge.a] < 0) know(edge.b);
     if (heights[edge.b] < 0) know(edge.a);
   }
-  for (std::size_t i = 0; i < known.size(); ++i) {
-    for (const std::uint32_t f : surface.facesAt(known[i])) {
+  while (!known.empty()) {
+    const std::uint32_t last = known.back();
+    known.pop_back();
+    for (const std::uint32_t f : surface.facesAt(last)) {
       for (const std::uint32_t p : surface.faces[f].points) know(p);
     }
   }
@@ -276,12 +278,12 @@ std::vector<Loop> sectionOf(const Surface& surface, const glm::dvec3& point, con
     section.cross(e, glm::mix(surface.points[edge.a], surface.points[edge.b], a / (a - b)));
   }
   std::vector<Loop> loops = section.loops();
-  const std::vector<char> touching = touchingPoints(surface, heights);
+  const std::vector<bool> touching = touchingPoints(surface, heights);
   Section end(surface, normal, cancel);
   for (std::size_t e = 0; e < surface.edges.size(); ++e) {
     const surface::Edge& edge = surface.edges[e];
-    if (touching[edge.a] != 0 && heights[edge.b] != 0) end.cross(e, surface.points[edge.a]);
-    if (touching[edge.b] != 0 && heights[edge.a] != 0) end.cross(e, surface.points[edge.b]);
+    if (touching[edge.a] && heights[edge.b] != 0) end.cross(e, surface.points[edge.a]);
+    if (touching[edge.b] && heights[edge.a] != 0) end.cross(e, surface.points[edge.b]);
   }
   // What touches the plane in a corner alone has no length there.
   for (Loop& loop : end.loops()) {

@@ -208,9 +208,9 @@ std::optional<glm::dvec3> meanTileColor(const Scene& scene, const Worn& worn) {
   const glm::dvec4 factor = glm::dvec4(material.baseColorFactor) * worn.color / worn.area;
   std::array<std::uint8_t, 256> counts{};
   for (std::size_t code = 0; code < counts.size(); ++code) {
-    const double cover = coverOf(material, static_cast<double>(code) / 255 * factor.a);
     // What is blended counts by its texels' alpha: the rest of it is the same all over.
-    counts[code] = static_cast<std::uint8_t>(material.alphaMode == AlphaMode::kBlend ? code : cover);
+    const bool isThere = coverOf(material, static_cast<double>(code) / 255 * factor.a) > 0;
+    counts[code] = static_cast<std::uint8_t>(material.alphaMode == AlphaMode::kBlend ? code : std::size_t{isThere});
   }
   auto mean = meanOfSrgb(image, counts);
   if (!mean) mean = meanOfSrgb(image, false);  // nothing of it covers: the colour that it would have

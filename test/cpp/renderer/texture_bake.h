@@ -25,21 +25,31 @@ inline glm::dvec4 texelAt(const Image8& image, int x, int y) {
   return storedTexel(&image.pixels[4 * (std::size_t((y + h) % h) * image.width + std::size_t((x + w) % w))]);
 }
 
-/// Mean of f over the four points of a texel. f is given a function: what a sampler shows of an image there, blended of
-/// four texels.
+/// f at the point of a texel that lies towards a neighbour. f is given a function: what a sampler shows of an image there,
+/// blended of four texels.   dx, dy  -1 or 1
+template <typename F>
+glm::dvec4 atPoint(int x, int y, int dx, int dy, const F& f) {
+  return f([&](const Image8& image) {
+    const glm::dvec4 row = 0.75 * texelAt(image, x, y) + 0.25 * texelAt(image, x + dx, y);
+    const glm::dvec4 next = 0.75 * texelAt(image, x, y + dy) + 0.25 * texelAt(image, x + dx, y + dy);
+    return 0.75 * row + 0.25 * next;
+  });
+}
+
+/// Mean of f over the four points of a texel.
 template <typename F>
 glm::dvec4 meanOverPoints(int x, int y, const F& f) {
   glm::dvec4 sum(0);
   for (const int dy : {-1, 1}) {
-    for (const int dx : {-1, 1}) {
-      sum += f([&](const Image8& image) {
-        const glm::dvec4 row = 0.75 * texelAt(image, x, y) + 0.25 * texelAt(image, x + dx, y);
-        const glm::dvec4 next = 0.75 * texelAt(image, x, y + dy) + 0.25 * texelAt(image, x + dx, y + dy);
-        return 0.75 * row + 0.25 * next;
-      });
-    }
+    for (const int dx : {-1, 1}) sum += atPoint(x, y, dx, dy, f);
   }
   return sum / 4.0;
+}
+
+/// f at the one point of a texel that is looked at where sides halve: another one in each of four texels.
+template <typename F>
+glm::dvec4 atOwnPoint(int x, int y, const F& f) {
+  return atPoint(x, y, x % 2 == y % 2 ? -1 : 1, x % 2 == 0 ? -1 : 1, f);
 }
 
 /// Mean of f over the part of the image that a texel of a mip level covers, by area.
