@@ -4,14 +4,33 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "convert.h"
 #include "handles.h"
 #include "state.h"
 #include "telar/part.h"
 #include "telar/part_opacities.h"
+#include "telar/shot.h"
 
 namespace telar::addon {
+namespace {
+
+/// What of a model a shot shows: {variant, ghost}, the ghosts as JSON.
+struct Shown {
+  std::string variant;
+  std::vector<Shot::Ghost> ghost;
+};
+
+Shown shownFromJs(const Napi::Value& value) {
+  const auto shown = value.As<Napi::Object>();
+  return {stringFromJs(shown.Get("variant"), "the variant"),
+          parseGhosts(stringFromJs(shown.Get("ghost"), "the ghosts"))};
+}
+
+std::shared_ptr<Job> jobOf(const Napi::Value& token) { return std::make_shared<Job>(unwrap<TokenHandle>(token).token); }
+
+}  // namespace
 
 Napi::Value measurePart(const Napi::CallbackInfo& info) {
   auto scene = unwrap<SceneHandle>(info[0]).scene();
@@ -22,22 +41,19 @@ Napi::Value measurePart(const Napi::CallbackInfo& info) {
   } else {
     query.which = stringFromJs(info[2], "a name");
   }
-  const auto shown = info[3].As<Napi::Object>();
-  query.variant = stringFromJs(shown.Get("variant"), "the variant");
-  const auto ghost = parseGhosts(stringFromJs(shown.Get("ghost"), "the ghosts"));
-  auto job = std::make_shared<Job>(unwrap<TokenHandle>(info[4]).token);
+  const Shown shown = shownFromJs(info[3]);
+  query.variant = shown.variant;
+  const auto job = jobOf(info[4]);
   return textOnPool(info.Env(), job,
-                    [scene, query, ghost, job] { return describePart(*scene, query, ghost, job->cancel); });
+                    [scene, query, shown, job] { return describePart(*scene, query, shown.ghost, job->cancel); });
 }
 
 Napi::Value measureShown(const Napi::CallbackInfo& info) {
   auto scene = unwrap<SceneHandle>(info[0]).scene();
-  const auto shown = info[1].As<Napi::Object>();
-  const auto variant = stringFromJs(shown.Get("variant"), "the variant");
-  const auto ghost = parseGhosts(stringFromJs(shown.Get("ghost"), "the ghosts"));
-  auto job = std::make_shared<Job>(unwrap<TokenHandle>(info[2]).token);
+  const Shown shown = shownFromJs(info[1]);
+  const auto job = jobOf(info[2]);
   return textOnPool(info.Env(), job,
-                    [scene, variant, ghost, job] { return describeShown(*scene, variant, ghost, job->cancel); });
+                    [scene, shown, job] { return describeShown(*scene, shown.variant, shown.ghost, job->cancel); });
 }
 
 Napi::Value rangesAlong(const Napi::CallbackInfo& info) {
@@ -45,12 +61,10 @@ Napi::Value rangesAlong(const Napi::CallbackInfo& info) {
   std::array<glm::dvec3, 3> axes{};
   const auto numbers = info[1].As<Napi::Array>();
   for (std::uint32_t i = 0; i < 9; ++i) axes[i / 3][static_cast<int>(i % 3)] = numbers.Get(i).ToNumber().DoubleValue();
-  const auto shown = info[2].As<Napi::Object>();
-  const auto variant = stringFromJs(shown.Get("variant"), "the variant");
-  const auto ghost = parseGhosts(stringFromJs(shown.Get("ghost"), "the ghosts"));
-  auto job = std::make_shared<Job>(unwrap<TokenHandle>(info[3]).token);
-  return textOnPool(info.Env(), job, [scene, axes, variant, ghost, job] {
-    return describeRanges(*scene, axes, variant, ghost, job->cancel);
+  const Shown shown = shownFromJs(info[2]);
+  const auto job = jobOf(info[3]);
+  return textOnPool(info.Env(), job, [scene, axes, shown, job] {
+    return describeRanges(*scene, axes, shown.variant, shown.ghost, job->cancel);
   });
 }
 

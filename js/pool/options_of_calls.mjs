@@ -10,26 +10,20 @@ const flag = (name, value = false) => {
   throw wrongOption(`options.${name}`, 'true or false', value);
 };
 
-const PLAIN = 'plain data as in JSON';
-const reasonOf = ({ message }) => message.split('\n')[0];
-
-/** Plain data that crosses to another process. @throws {TelarError} E_OPTION */
-function plain(name, value) {
+/** A copy of what crosses to another process. @param {(expected: string) => Error} wrong */
+function copied(value, wrong) {
   try {
     return structuredClone(value);
   } catch (error) {
-    throw wrongOption(name, `${PLAIN} (${reasonOf(error)})`, value);
+    throw wrong(`plain data as in JSON (${error.message.split('\n')[0]})`);
   }
 }
 
-/** The same of a spec. @throws {TelarError} E_SPEC */
-function plainSpec(spec) {
-  try {
-    return structuredClone(spec);
-  } catch (error) {
-    throw new TelarError('E_SPEC', `spec: expected ${PLAIN} (${reasonOf(error)})`, { pointer: '' });
-  }
-}
+/** @throws {TelarError} E_OPTION */
+const plain = (name, value) => copied(value, (expected) => wrongOption(name, expected, value));
+
+/** @throws {TelarError} E_SPEC */
+const plainSpec = (spec) => copied(spec, (expected) => new TelarError('E_SPEC', `spec: expected ${expected}`, { pointer: '' }));
 
 /**
  * Options of Pool.inspect: {shot, measure, timeoutMs, failOn, resolve, ambientVisibility, signal}.
