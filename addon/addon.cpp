@@ -21,6 +21,7 @@
 #include "telar/reference.h"
 #include "telar/shot.h"
 #include "telar/swatch.h"
+#include "thread_heap.h"
 #include "visibility.h"
 
 /// The export table. Every function is called by js/ alone, with arguments that js/ has checked.
@@ -258,6 +259,8 @@ Napi::Value createRenderer(const Napi::CallbackInfo& info) {
   const Napi::Value promise = mailbox->begin(env, job);
   std::shared_ptr<GlThread> thread;
   try {
+    // Who starts a thread waits while another loads libraries, as the GL's first task does.
+    state.pool();
     thread = state.startGlThread(maxQueued >= 1 ? static_cast<std::size_t>(maxQueued) : 1);
   } catch (...) {
     job->fault = Fault::current();
@@ -266,6 +269,7 @@ Napi::Value createRenderer(const Napi::CallbackInfo& info) {
   }
   thread->post([mailbox, job, options, thread](std::unique_ptr<Renderer>& renderer) {
     mailbox->perform(job, [&] {
+      growHeapOfThread();
       renderer = Renderer::create(options);
       job->value = [thread, options, facts = renderer->describe()](Napi::Env to) {
         Napi::Object result = Napi::Object::New(to);

@@ -32,7 +32,7 @@ const isMetered = ({ metering, style }, quantity) => metering !== null && style 
 /** js/api/renderer.d.ts documents the public methods. */
 class Renderer {
   #native;
-  #handle;
+  #handle; // a promise: what is asked of the GL waits until it is open
   #limits;
   #loading;
   #gate;
@@ -42,16 +42,23 @@ class Renderer {
   #pending = new Set();
   #closed;
 
-  constructor(native, handle, facts, { limits, loading, maxWaiting, cacheDirectory, cacheBytes }) {
+  constructor(native, opening, { limits, loading, maxWaiting, cacheDirectory, cacheBytes }) {
     this.#native = native;
-    this.#handle = handle;
+    this.#handle = opening.then(({ renderer, facts }) => {
+      const { backend, ...gl } = JSON.parse(facts);
+      this.backend = backend;
+      this.gl = Object.freeze(gl);
+      return renderer;
+    });
     this.#limits = limits;
     this.#loading = loading;
     this.#cache = { directory: cacheDirectory, bytes: cacheBytes };
     this.#gate = new Gate(FRAMES_IN_FLIGHT, maxWaiting);
-    const { backend, ...gl } = facts;
-    this.backend = backend;
-    this.gl = Object.freeze(gl);
+  }
+
+  /** Resolves when the GL is open, rejects where it does not open. @internal */
+  static async opened(renderer) {
+    await renderer.#handle;
   }
 
   get #maxBytes() {
@@ -116,7 +123,7 @@ class Renderer {
 
   async liveObjects() {
     this.#assertOpen();
-    return this.#track(nativeCall(this.#native, undefined, () => this.#handle.liveObjects()));
+    return this.#track(nativeCall(this.#native, undefined, async () => (await this.#handle).liveObjects()));
   }
 
   close() {
@@ -130,7 +137,8 @@ class Renderer {
 
   async #close() {
     while (this.#pending.size > 0) await Promise.allSettled(this.#pending);
-    await nativeCall(this.#native, undefined, () => this.#handle.close());
+    const handle = await this.#handle.catch(() => undefined);
+    if (handle) await nativeCall(this.#native, undefined, () => handle.close());
   }
 
   #assertOpen() {
@@ -206,7 +214,7 @@ class Renderer {
 
   /** After the frames that wait in the queue; close() waits for it. */
   #releaseScene(model, forget = false) {
-    return this.#track(nativeCall(this.#native, undefined, () => this.#handle.release(Model.sceneOf(model), forget)));
+    return this.#track(nativeCall(this.#native, undefined, async () => (await this.#handle).release(Model.sceneOf(model), forget)));
   }
 
   async #render({ input, model: given, loading, ...request }, work, report) {
@@ -233,12 +241,13 @@ class Renderer {
     const { endBy, reachedBy } = goal ? await goalModule() : {};
     const measures = reached && goal?.maxError !== undefined;
     const resolvedAt = performance.now();
-    const drawing = nativeCall(this.#native, work, (token) => {
+    const drawing = nativeCall(this.#native, work, async (token) => {
+      const handle = await this.#handle;
       report?.begin(job, token);
       endBy?.(end, token);
       const stopListening = enough && untilEnough(enough, token);
       const request = { scene, shot: shotJson(quantity ? { ...seen, debugOutput: quantity } : seen), environment, releaseScene: !measures && use.end() };
-      return this.#handle.render(request, token).finally(stopListening);
+      return handle.render(request, token).finally(stopListening);
     });
     // While it is drawn, this thread has nothing else to do.
     const [frame, identity] = await Promise.all([drawing, identityOf(shot)]);
@@ -268,7 +277,7 @@ class Renderer {
   async #meter(resolved, { scene, environment }, work) {
     const { meteredExposure, meteringShot } = await meteringModule();
     const request = { scene, shot: shotJson(meteringShot(resolved)), environment, releaseScene: false };
-    const { data } = await nativeCall(this.#native, work, (token) => this.#handle.render(request, token));
+    const { data } = await nativeCall(this.#native, work, async (token) => (await this.#handle).render(request, token));
     return meteredExposure(resolved, floatsOf(data));
   }
 
@@ -312,7 +321,7 @@ class Renderer {
     const look = work.beside(this.#native);
     return async (shot) => {
       const request = { scene, shot: shotJson(shot), environment, releaseScene: false };
-      return (await nativeCall(this.#native, look, (token) => this.#handle.render(request, token))).data;
+      return (await nativeCall(this.#native, look, async (token) => (await this.#handle).render(request, token))).data;
     };
   }
 
@@ -341,6 +350,23 @@ export async function createRenderer(options = {}) {
  * @internal
  */
 export async function createRendererOn(native, options = {}) {
+  const renderer = begunRenderer(native, options);
+  await Renderer.opened(renderer);
+  return renderer;
+}
+
+/**
+ * A renderer whose GL is not open yet: models are loaded beside that; pictures wait for it, and fail where it does not open.
+ * @internal
+ * @returns {{renderer: Renderer, opened: Promise<void>}} opened: rejects where createRenderer() would
+ * @throws {TelarError} X_NATIVE_MISSING, E_OPTION
+ */
+export function beginRenderer(options = {}) {
+  const renderer = begunRenderer(loadNative(), options);
+  return { renderer, opened: Renderer.opened(renderer) };
+}
+
+function begunRenderer(native, options) {
   const { signal, ...rest } = rendererOptions(options, Object.keys(native.limits));
   const request = {
     backend: rest.backend,
@@ -354,6 +380,6 @@ export async function createRendererOn(native, options = {}) {
   const closeLate = ({ renderer }) => void renderer.close();
   // Beside the context, so that the first frame need not wait for it. A failure is the first frame's to report.
   shotModule().catch(() => {});
-  const { renderer, facts } = await nativeCall(native, { signal }, (token) => native.createRenderer(request, token), closeLate);
-  return new Renderer(native, renderer, JSON.parse(facts), rest);
+  const opening = nativeCall(native, { signal }, (token) => native.createRenderer(request, token), closeLate);
+  return new Renderer(native, opening, rest);
 }

@@ -39,7 +39,8 @@ export async function main(commands) {
       if (error.code !== 'EPIPE' && stream.listenerCount('error') === 1) throw error;
     });
   }
-  const loadApi = () => import('../index.mjs');
+  // The API, and what lets a command load models beside the opening of the GL.
+  const loadApi = async () => ({ ...(await import('../index.mjs')), beginRenderer: (await import('../api/renderer.mjs')).beginRenderer });
   const loadPool = () => import('../pool/index.mjs');
   const io = { stdin, stdout, stderr, env, signal: cancelled.signal, ending, loadApi, loadPool };
   process.exitCode = await run(process.argv.slice(2), io, commands);

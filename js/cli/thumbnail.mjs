@@ -32,20 +32,30 @@ export async function thumbnail(models, options, context) {
   const timeoutMs = readTimeout(options.timeoutMs);
   readWorkers('--jobs', options.jobs);
   const unwanted = new AbortController();
-  const open = () => openRenderer(options, { limits, timeoutMs }, { ...context, signal: anyOf(context.signal, unwanted.signal) });
-  // The GL of this process opens beside what is read and checked. What that finds is told first. Other processes are started after it.
-  const opening = options.jobs === undefined ? open() : undefined;
-  opening?.catch(() => {});
-  const plan = await planned(models, options, limits, context).catch((error) => {
+  const signal = anyOf(context.signal, unwanted.signal);
+  const how = { backend: options.backend, limits, failOn: options.failOn, ...visibilityOf(options), timeoutMs, signal };
+  // Node starts its threads for files with the first use of one. Who starts a thread waits while libraries load, as the GL's do: files are looked at before.
+  const found = options.manifest === undefined ? findModels(models, options) : undefined;
+  found?.catch(() => {});
+  // The GL of this process opens beside what is read, checked and loaded. What that finds is told first. Other processes are started after it.
+  const begun = options.jobs === undefined ? context.api.beginRenderer(how) : undefined;
+  begun?.opened.catch(() => unwanted.abort());
+  const plan = await planned(found, options, limits, context).catch((error) => {
     unwanted.abort();
     // One that has opened already.
-    opening?.then((renderer) => renderer.close()).catch(() => {});
+    begun?.renderer.close().catch(() => {});
     throw error;
   });
-  const renderer = await (opening ?? open());
+  const { renderer, opened } = begun ?? (await openPool(how, options, context));
   try {
-    if (isAnimation(options)) return await writeAnimation({ jobs: plan.jobs, options, renderer }, context);
-    const results = await drawAll({ ...plan, options, renderer, limits }, context);
+    if (isAnimation(options)) {
+      await opened;
+      return await writeAnimation({ jobs: plan.jobs, options, renderer }, context);
+    }
+    const [gl, drawn] = await Promise.allSettled([opened, drawAll({ ...plan, options, renderer, limits }, { ...context, signal })]);
+    // A GL that does not open fails every picture: it is told once.
+    for (const { reason } of [gl, drawn]) if (reason) throw reason;
+    const results = drawn.value;
     const sheet = await writeSheet(results, options, { limits, signal: context.signal });
     return await tell(results, { options, entries: plan.entries, sheet }, context.console);
   } finally {
@@ -55,9 +65,9 @@ export async function thumbnail(models, options, context) {
 }
 
 /** What is drawn, and the files that it goes to. Animations have one, and check all else of it themselves. */
-async function planned(models, options, limits, context) {
+async function planned(found, options, limits, context) {
   const shot = await readShotOptions(options, context);
-  const entries = await readEntries(models, options, shot, limits, context);
+  const entries = await readEntries(found, options, shot, limits, context);
   const { jobs, crosses } = await makeJobs(entries, options, maxFileBytes(limits));
   const read = { inputs: inputsOf(jobs, options), models: jobs.map(({ model }) => model), maxBytes: maxFileBytes(limits) };
   if (isAnimation(options)) {
@@ -95,13 +105,11 @@ const anyOf = (...signals) => AbortSignal.any(signals.filter(Boolean));
 /** How the models are loaded, and their keys made. */
 const visibilityOf = ({ ambientVisibility }) => ambientVisibility && { ambientVisibility };
 
-/** What draws: a renderer in this process, or with --jobs a pool of others. */
-async function openRenderer(options, { limits, timeoutMs }, { api, loadPool, signal }) {
-  const how = { backend: options.backend, limits, failOn: options.failOn, ...visibilityOf(options), timeoutMs, signal };
+/** What draws with --jobs: a pool of other processes. */
+async function openPool(how, options, { loadPool }) {
   const workers = readWorkers('--jobs', options.jobs);
-  if (workers === undefined) return api.createRenderer(how);
   const { createPool } = await loadPool();
-  return createPool({ ...how, ...(workers !== null && { size: workers }) });
+  return { renderer: await createPool({ ...how, ...(workers !== null && { size: workers }) }), opened: Promise.resolve() };
 }
 
 function checkUsage(models, { shot, output, json, manifest, skipUnchanged, explode }) {
@@ -121,14 +129,13 @@ function checkUsage(models, { shot, output, json, manifest, skipUnchanged, explo
 }
 
 /** The models with their shots: of the manifest, or of the command line. */
-async function readEntries(models, options, shot, limits, context) {
+async function readEntries(found, options, shot, limits, context) {
   if (options.manifest !== undefined) {
     const lines = await readManifest(options.manifest, context);
     return lines.map((line) => ({ ...line, source: line.model, shot: { ...shot, ...line.shot } }));
   }
-  const found = await findModels(models, options);
   return Promise.all(
-    found.map(async ({ model, folder }) => {
+    (await found).map(async ({ model, folder }) => {
       const source = await readModel(model, limits, context);
       return { model, folder, source, shot };
     }),

@@ -92,6 +92,12 @@ export function fakeApi({ delayMs = 0, told = 0.5 } = {}) {
   return { api, pool, calls };
 }
 
+/** A renderer whose methods wait until it is open. */
+const begun = (opening) => ({
+  renderer: new Proxy({}, { get: (_, name) => (name === 'workers' ? undefined : async (...args) => (await opening)[name](...args)) }),
+  opened: opening.then(() => {}),
+});
+
 const TERMINAL = { isTTY: true };
 
 /** Runs the command line on a fake API: {exit, stdout, stderr, calls}. */
@@ -111,7 +117,7 @@ export async function runFake(argv, { stdin = '', env = {}, tty = false, signal,
       stderr,
       env,
       signal,
-      loadApi: async () => api,
+      loadApi: async () => ({ ...api, beginRenderer: (options) => begun(api.createRenderer(options)) }),
       loadPool: async () => fake.pool,
     },
     COMMANDS,

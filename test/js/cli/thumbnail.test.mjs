@@ -249,6 +249,15 @@ test('missing files and a machine without GL have their own exit codes', async (
   assert.deepEqual(readdirSync(at.folder), []);
 });
 
+test('a GL that does not open is told once, not of each model', async () => {
+  const at = freshFolder();
+  const { exit, stdout, stderr, calls } = await runFake(['thumbnail', 'a.glb', 'b.glb', '-o', at.folder, '--backend', 'egl-device', '--json']);
+  assert.equal(exit, 6);
+  assert.equal(stderr, 'telar: no device [X_GL]\n');
+  assert.equal(JSON.parse(stdout).error.code, 'X_GL');
+  assert.equal(calls.rendered.length, 0);
+});
+
 test('warnings go to stderr, --quiet drops them', async () => {
   const at = freshFolder();
   const { stderr } = await runFake(['thumbnail', 'warn.glb', '-o', at('a.png')]);
