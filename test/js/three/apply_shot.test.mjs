@@ -270,6 +270,30 @@ test('a ghost that a client has shaded is none in the next shot', async () => {
   assert.deepEqual(shownBy(model), own);
 });
 
+test('nothing of a shot that is refused half-way is left in the next one', async () => {
+  const model = await load('variants');
+  const scene = new THREE.Scene().add(model.scene);
+  const target = { scene, model };
+  const shot = { variant: 'red', background: 'red', ghost: [{ material: '*', opacity: 0.5 }], lights: [{ type: 'directional', position: [1, 1, 1] }] };
+  const state = () => {
+    const found = [];
+    scene.traverse(({ type, material, castShadow, visible }) => found.push([type, material?.uuid, material?.opacity, castShadow, visible]));
+    return [found, scene.background.getHex(), scene.environment];
+  };
+  await apply(shot, target);
+  const before = state();
+  for (const refused of [
+    { lights: [{ type: 'point' }, { type: 'disk' }] },
+    { environment: 'studio' },
+    { materials: { nothing: { color: 'red' } } },
+    { materials: { '*': { preset: 'denim' } }, variant: 'blue' },
+  ]) {
+    await assert.rejects(apply(refused, target));
+    await apply(shot, target);
+    assert.deepEqual(state(), before, JSON.stringify(refused));
+  }
+});
+
 test('one sample a pixel asks for a context without antialiasing', () => {
   assert.deepEqual(rendererParameters(resolve()), { antialias: true, alpha: true, premultipliedAlpha: true });
   assert.equal(rendererParameters(resolve({ quality: 'draft' })).antialias, false);
