@@ -109,6 +109,8 @@ function toneMappingOf(THREE, name) {
 /** The materials of the variant and the cloths over them, shaded as the shot says. */
 async function applyMaterials(shot, model, { THREE, cloths }) {
   restoreMaterials(model.scene);
+  // Those that a client has shaded since by applyShading().
+  removeGhosts(model.scene);
   takeOffCloths(model.scene);
   await applyVariant(model, shot.variant);
   await putOnCloths(shot, model, { THREE, cloths });

@@ -4,6 +4,8 @@ import { materialIndexOf } from './variant.mjs';
 
 /** The materials that stand in for others, with those. */
 const solid = new WeakMap();
+/** Of each model's scene, by material, those that stood in for it: one for each opacity that it had at once. They are kept for the next shot. */
+const ghosts = new WeakMap();
 /** Meshes that a ghost was made of, with whether they cast shadows. */
 const casting = new WeakMap();
 
@@ -48,12 +50,36 @@ const opacityOf = (model, object, shot) => ghostsOf(model, object, shot).reduce(
  */
 export const isLeftOut = (model, object, shot) => ghostsOf(model, object, shot).some(({ opacity }) => opacity === 0);
 
-/** A copy is blended as GLTFLoader sets up alpha mode BLEND. */
-function ghostOf(material, opacity) {
-  const ghost = material.clone();
+/** Ghosts of a material, for a model. @returns {import('three').Material[]} */
+function ghostsFor({ scene }, material) {
+  if (!ghosts.has(scene)) ghosts.set(scene, new WeakMap());
+  const ofModel = ghosts.get(scene);
+  if (!ofModel.has(material)) ofModel.set(material, []);
+  return ofModel.get(material);
+}
+
+/** A material that goes with another one. */
+function companionOf(material) {
+  const made = new material.constructor();
+  material.addEventListener('dispose', () => made.dispose());
+  return made;
+}
+
+/** A copy of a material as it is now, blended as GLTFLoader sets up alpha mode BLEND. @param {number} place - Among its ghosts. */
+function ghostOf(model, material, opacity, place) {
+  const made = ghostsFor(model, material);
+  made[place] ??= companionOf(material);
+  const ghost = made[place].copy(material);
   // The opacity of what is opaque is none. The alpha of its map and vertices counts, as on the server.
   const own = material.transparent || material.alphaTest > 0 ? material.opacity : 1;
-  Object.assign(ghost, { transparent: true, depthWrite: false, alphaTest: 0, opacity: own * opacity, visible: material.visible && opacity > 0 });
+  Object.assign(ghost, {
+    transparent: true,
+    depthWrite: false,
+    alphaTest: 0,
+    opacity: own * opacity,
+    visible: material.visible && opacity > 0,
+    needsUpdate: true,
+  });
   solid.set(ghost, material);
   return ghost;
 }
@@ -72,9 +98,9 @@ export function applyGhosts(model, shot) {
     if (opacity === 1) return;
     object.material = mapped(object.material, (material) => {
       if (!made.has(material)) made.set(material, new Map());
-      const ghosts = made.get(material);
-      if (!ghosts.has(opacity)) ghosts.set(opacity, ghostOf(material, opacity));
-      return ghosts.get(opacity);
+      const byOpacity = made.get(material);
+      if (!byOpacity.has(opacity)) byOpacity.set(opacity, ghostOf(model, material, opacity, byOpacity.size));
+      return byOpacity.get(opacity);
     });
     casting.set(object, object.castShadow);
     object.castShadow = false;

@@ -63,7 +63,7 @@ function merged(target, patch) {
 
 /**
  * The material that cloth is drawn with where the file names a preset: loaded as GLTFLoader loads the file's own.
- * @param {object} parser - Of GLTFLoader; its JSON gets one material more for each that has a preset.
+ * @param {object} parser - Of GLTFLoader.
  * @param {import('three').Mesh} mesh - Whose geometry decides on vertex colours and tangents.
  * @param {import('three').Material} original - Its material.
  * @param {(() => Promise<object>) | null} loadPresets
@@ -83,7 +83,9 @@ export async function clothOf(parser, mesh, original, loadPresets) {
 async function loadCloth(parser, index, loadPresets) {
   const { definition, isPreset } = await definitionOf(parser, index, loadPresets);
   if (!isPreset) return { definition, material: null };
-  const added = parser.json.materials.push(definition) - 1;
+  // By a name, which is none of the file's numbers: the list of its materials stays as it is.
+  const added = `${index} with its preset`;
+  parser.json.materials[added] = definition;
   return { definition, material: await parser.getDependency('material', added) };
 }
 

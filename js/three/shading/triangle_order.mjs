@@ -1,5 +1,5 @@
 // Nets and sheer cloth show what lies behind them, their own folds too: their triangles are drawn far to near, as
-// renderer/pass/plan/triangle_order.h draws them. The order is an index for each mesh, which its geometry has while a frame is drawn.
+// renderer/pass/plan/triangle_order.h draws them. The order is an index for each mesh, which its geometry has while that is drawn.
 
 /**
  * What was put in order of each mesh, for each camera that sees it and each group, by where that begins in its index.
@@ -37,14 +37,23 @@ export const isOrdered = (material, object) =>
 /** The index of a geometry, whatever it is drawn by. */
 const ownIndex = (geometry) => (lent.get(geometry)?.shown === geometry.index ? lent.get(geometry).own : geometry.index);
 
-/** Has a geometry drawn by an index until the frame is there. Who looks at it then finds its own: pickers keep places in it. */
-function lend(geometry, shown) {
+/** Has a geometry drawn by an index until its mesh is drawn. Who looks at it then finds its own: pickers keep places in it. */
+function lend(geometry, shown, object) {
   lent.set(geometry, { own: ownIndex(geometry), shown });
   geometry.index = shown;
-  queueMicrotask(() => {
+  const { onAfterRender } = object;
+  const giveBack = () => {
     geometry.index = ownIndex(geometry);
     lent.delete(geometry);
-  });
+    if (object.onAfterRender === drawn) object.onAfterRender = onAfterRender;
+  };
+  const drawn = (...draw) => {
+    giveBack();
+    object.onAfterRender(...draw);
+  };
+  object.onAfterRender = drawn;
+  // A draw that throws does not come to its end.
+  queueMicrotask(giveBack);
 }
 
 /**
@@ -68,7 +77,7 @@ export function drawFarToNear(THREE, [, , camera, geometry, object, group]) {
     order.index.needsUpdate = true;
     order.of = of;
   }
-  lend(geometry, order.index);
+  lend(geometry, order.index, object);
 }
 
 /** What moves a mesh's vertices beside its place: morph targets and their weights, joints and what hangs on them. */

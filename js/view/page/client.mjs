@@ -13,6 +13,7 @@ import { resolvePose } from '../../shot/pose.mjs';
 import { resolveShot } from '../../shot/resolve.mjs';
 import { Depths } from './depths.mjs';
 import { alphaOf, straightPixels } from './pixels.mjs';
+import { loadedBy } from './remote.mjs';
 
 /**
  * The browser client: stock three.js with the model, set up from a shot.
@@ -28,9 +29,8 @@ export class Client {
   #environments;
   #depths;
   #diagonal;
-  #textures = new Map();
   #loader;
-  #cloths = new Map();
+  #files = new Map();
 
   /** Is called when a picture stands. */
   onDraw = () => {};
@@ -100,16 +100,22 @@ export class Client {
   async #environment(map) {
     const { format } = this.#environments.find((known) => known.map === map) ?? {};
     if (!format) return undefined;
-    if (!this.#textures.has(map)) {
-      const loader = format === 'exr' ? new (await import('three/addons/loaders/EXRLoader.js')).EXRLoader() : new HDRLoader();
-      this.#textures.set(map, await loader.setDataType(THREE.FloatType).loadAsync(`environment/${encodeURIComponent(map)}`));
-    }
-    return this.#textures.get(map);
+    const loader = format === 'exr' ? new (await import('three/addons/loaders/EXRLoader.js')).EXRLoader() : new HDRLoader();
+    return this.#file(`environment/${encodeURIComponent(map)}`, loader.setDataType(THREE.FloatType));
   }
 
   #cloth(preset) {
-    if (!this.#cloths.has(preset)) this.#cloths.set(preset, this.#loader.loadAsync(`page/cloths/${preset}.glb`));
-    return this.#cloths.get(preset);
+    return this.#file(`page/cloths/${preset}.glb`, this.#loader);
+  }
+
+  /** Of the server, loaded once. What has not come is asked for again. */
+  #file(path, loader) {
+    if (!this.#files.has(path)) {
+      const loading = loadedBy(loader, path);
+      this.#files.set(path, loading);
+      loading.catch(() => this.#files.delete(path));
+    }
+    return this.#files.get(path);
   }
 
   /** What its parts are called. */
@@ -148,7 +154,8 @@ export class Client {
     ray.setFromCamera(new THREE.Vector2(2 * x - 1, 1 - 2 * y), this.#camera);
     const isShown = (object) => object === null || (object.visible && isShown(object.parent));
     const hits = ray.intersectObject(this.#model.scene, true);
-    return hits.find(({ object }) => object.isMesh && isShown(object))?.point.toArray();
+    // A shot leaves parts out by their materials.
+    return hits.find(({ object }) => object.isMesh && object.material.visible && isShown(object))?.point.toArray();
   }
 
   /**

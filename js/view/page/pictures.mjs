@@ -76,7 +76,9 @@ export class Pictures {
     while (this.#isWanted) {
       this.#isWanted = false;
       const { resolved } = this.#state;
-      await this.#client.draw(resolved);
+      await this.#client.draw(resolved).catch((error) => {
+        if (!this.#isWanted) throw error;
+      });
       this.#stage.size = resolved.size;
     }
   }

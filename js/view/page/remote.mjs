@@ -18,11 +18,25 @@ async function request(path, options) {
   }
   if (response.ok) return response;
   const isProblem = response.headers.get('content-type')?.startsWith('application/problem+json');
-  throw new RemoteError(isProblem ? await response.json() : { code: `HTTP ${response.status}`, message: await response.text() });
+  throw new RemoteError(isProblem ? await response.json() : { code: `HTTP ${response.status}`, message: `${path}: ${await response.text()}` });
 }
 
 /** @returns {Promise<object>} what js/view/session.mjs describes */
 export const session = async () => (await request('session')).json();
+
+/**
+ * A file of the server, as a loader of three.js gives it.
+ * @param {{loadAsync: (url: string) => Promise<object>}} loader
+ * @param {string} path
+ */
+export async function loadedBy(loader, path) {
+  const url = URL.createObjectURL(await (await request(path)).blob());
+  try {
+    return await loader.loadAsync(url);
+  } finally {
+    URL.revokeObjectURL(url);
+  }
+}
 
 const post = async (path, body, signal) =>
   (await request(path, { method: 'POST', headers: { 'content-type': 'application/json' }, body: JSON.stringify(body), signal })).json();

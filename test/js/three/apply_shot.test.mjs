@@ -4,7 +4,7 @@ import * as THREE from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { resolveShot } from '../../../js/shot/index.mjs';
 import { TONE_MAPPINGS } from '../../../js/shot/table/tone_mappings.mjs';
-import { applyShot, rendererParameters } from '../../../js/three/index.mjs';
+import { applyShading, applyShot, rendererParameters } from '../../../js/three/index.mjs';
 import { MODELS } from '../../fixtures/index.mjs';
 
 const CAMERA = { position: [1, 2, 3], target: [0, 0.5, 0], near: 0.5, far: 9 };
@@ -229,6 +229,69 @@ test('a mesh that was a ghost in the last shot casts a shadow in the next one', 
   const meshes = [];
   model.scene.traverse((object) => object.isMesh && meshes.push(object.castShadow));
   assert.ok(meshes.length > 0 && meshes.every(Boolean), `${meshes}`);
+});
+
+/** Materials of a model's meshes. */
+function shownBy(model) {
+  const found = [];
+  model.scene.traverse(({ material }) => material && found.push(material));
+  return found;
+}
+
+test('ghosts are kept from shot to shot, go with their material, and are of one model each', async () => {
+  const model = await load('variants');
+  const other = await load('variants');
+  const own = shownBy(model);
+  other.scene.traverse((object) => object.isMesh && (object.material = own[0]));
+  const ghost = (opacity) => ({ ghost: [{ material: '*', opacity }] });
+  await apply(ghost(0.5), { model });
+  const ghosts = shownBy(model);
+  assert.ok(ghosts.every((material) => !own.includes(material) && material.opacity === 0.5));
+  own[0].roughness = 0.125;
+  await apply(ghost(0.25), { model });
+  assert.deepEqual(shownBy(model), ghosts);
+  await apply(ghost(0.75), { model: other });
+  assert.deepEqual([ghosts[0].opacity, ghosts[0].roughness, shownBy(other)[0].opacity], [0.25, 0.125, 0.75]);
+  await apply({}, { model });
+  assert.deepEqual(shownBy(model), own);
+  const gone = [];
+  for (const material of ghosts) material.addEventListener('dispose', () => gone.push(material));
+  for (const material of new Set(own)) material.dispose();
+  assert.deepEqual(new Set(gone), new Set(ghosts));
+});
+
+test('a ghost that a client has shaded is none in the next shot', async () => {
+  const model = await load('variants');
+  const own = shownBy(model);
+  await apply({ ghost: [{ material: '*', opacity: 0.5 }] }, { model });
+  await applyShading(model, 'fabric', { THREE });
+  assert.ok(shownBy(model).every(({ isFabricMaterial }) => isFabricMaterial));
+  await apply({}, { model });
+  assert.deepEqual(shownBy(model), own);
+});
+
+test('nothing of a shot that is refused half-way is left in the next one', async () => {
+  const model = await load('variants');
+  const scene = new THREE.Scene().add(model.scene);
+  const target = { scene, model };
+  const shot = { variant: 'red', background: 'red', ghost: [{ material: '*', opacity: 0.5 }], lights: [{ type: 'directional', position: [1, 1, 1] }] };
+  const state = () => {
+    const found = [];
+    scene.traverse(({ type, material, castShadow, visible }) => found.push([type, material?.uuid, material?.opacity, castShadow, visible]));
+    return [found, scene.background.getHex(), scene.environment];
+  };
+  await apply(shot, target);
+  const before = state();
+  for (const refused of [
+    { lights: [{ type: 'point' }, { type: 'disk' }] },
+    { environment: 'studio' },
+    { materials: { nothing: { color: 'red' } } },
+    { materials: { '*': { preset: 'denim' } }, variant: 'blue' },
+  ]) {
+    await assert.rejects(apply(refused, target));
+    await apply(shot, target);
+    assert.deepEqual(state(), before, JSON.stringify(refused));
+  }
 });
 
 test('one sample a pixel asks for a context without antialiasing', () => {

@@ -5,6 +5,7 @@ import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { shadingText } from '../../../js/build/shading/translate.mjs';
 import { glb, quad } from '../../robust/glb.mjs';
 import { applyShading, loadFabricMaterial } from '../../../js/three/index.mjs';
+import { namesOf } from '../../../js/three/cloths.mjs';
 import { restoreMaterials } from '../../../js/three/shading.mjs';
 import { clothOf, extensionsOf, finishBack } from '../../../js/three/shading/fabric_layers.mjs';
 import { loadShading } from '../../../js/three/shading/index.mjs';
@@ -92,6 +93,13 @@ test('a preset gives what the material leaves out, as GLTFLoader would load it',
   assert.equal((await extensionsOf(parser, definition, THREE)).fabric.flatness, 0.4);
   const again = await clothOf(parser, mesh, mesh.material, loadPresets);
   assert.equal(again.material, material);
+});
+
+test("a preset's material is none of the file's: numbers of materials mean the same before and after", async () => {
+  const { model } = await load({ name: 'cloth', extensions: { TELAR_materials_fabric: { preset: 'denim' } } });
+  await applyShading(model, 'fabric', { THREE });
+  assert.equal(model.scene.getObjectByProperty('isMesh', true).material.isFabricMaterial, true);
+  assert.deepEqual(namesOf(model).materials, ['cloth']);
 });
 
 test("a back without a colour of its own has the front's", async () => {

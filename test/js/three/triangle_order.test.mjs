@@ -37,7 +37,7 @@ test('by the distance from the eye in a perspective, along the view without one'
   assert.deepEqual(orderOf(geometry, { camera: SEEING.orthographic }), [1, 0]);
 });
 
-test('a geometry has its own index again once the frame is drawn, also where two meshes share it', async () => {
+test('a geometry has its own index again after a draw that did not end, also where two meshes share it', async () => {
   for (const index of [null, new THREE.BufferAttribute(new Uint16Array([3, 4, 5, 0, 1, 2]), 1)]) {
     const geometry = geometryAt([1, -1]).setIndex(index);
     const [first, second] = [new THREE.Mesh(geometry), new THREE.Mesh(geometry)];
@@ -46,6 +46,26 @@ test('a geometry has its own index again once the frame is drawn, also where two
     await null;
     assert.equal(geometry.index, index);
     assert.deepEqual(Array.from(index?.array ?? []), index ? [3, 4, 5, 0, 1, 2] : []);
+  }
+});
+
+test('a geometry has its own index again as soon as its mesh is drawn, and what the client does then is done once', () => {
+  const geometry = geometryAt([1, -1]).setIndex([3, 4, 5, 0, 1, 2]);
+  const { index } = geometry;
+  const mesh = new THREE.Mesh(geometry);
+  let calls = 0;
+  mesh.onAfterRender = (camera) => {
+    assert.equal(geometry.index, index);
+    assert.equal(camera, SEEING.perspective);
+    calls++;
+  };
+  const own = mesh.onAfterRender;
+  for (let frame = 1; frame < 3; frame++) {
+    assert.deepEqual(orderOf(geometry, { mesh }), [1, 0]);
+    mesh.onAfterRender(SEEING.perspective);
+    assert.equal(geometry.index, index);
+    assert.equal(calls, frame);
+    assert.equal(mesh.onAfterRender, own);
   }
 });
 

@@ -4,7 +4,10 @@ import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { CLOTHS } from '../../../js/shot/table/cloths.mjs';
+import { box } from '../../fixtures/geometry.mjs';
+import { GlbBuilder } from '../../fixtures/glb.mjs';
 import { ENVIRONMENTS, MODELS } from '../../fixtures/index.mjs';
+import { clickAt, save, tool } from './spec_support.mjs';
 import { changing, figuresOf, launchChromium, openView, pictures, settled, SHIRT } from './support.mjs';
 
 // The page of test/js/view/page.test.mjs with other models, and by another GL. All tests share one tab: each new one has a process of its own,
@@ -92,6 +95,36 @@ test('a part is shown in another cloth, alike on both sides, and in its own agai
   assert.deepEqual(await pictures(page), before, 'its own again');
 });
 
+test('a cloth that does not come is told of as any answer that does not, and is asked for again', async (t) => {
+  await page.route('**/cloths/linen.glb', (route) => route.abort(), { times: 1 });
+  t.after(() => page.unroute('**/cloths/linen.glb'));
+  await chooseCloth('Linen');
+  await page.waitForSelector('body[data-phase=error]');
+  assert.match(await page.locator('#alert').textContent(), /it has ended \[X_CLOSED\]/);
+  await changing(page, () => chooseCloth('As in the file'));
+  await changing(page, () => chooseCloth('Linen'));
+  assert.equal(await verdict(), 'Parity');
+  await changing(page, () => chooseCloth('As in the file'));
+});
+
+test('what fails of a shot that is no longer the last is not told, and the last one is drawn', async (t) => {
+  let release;
+  const held = new Promise((resolve) => (release = resolve));
+  await page.route('**/cloths/velvet.glb', (route) => held.then(() => route.abort()));
+  t.after(() => page.unroute('**/cloths/velvet.glb'));
+  const [before] = await pictures(page);
+  await changing(page, async () => {
+    const asked = page.waitForRequest('**/cloths/velvet.glb');
+    await chooseCloth('Velvet');
+    await asked;
+    await chooseCloth('As in the file');
+    release();
+  });
+  assert.equal(await page.locator('#alert').isVisible(), false);
+  assert.equal((await pictures(page))[0], before);
+  assert.equal(await verdict(), 'Parity');
+});
+
 test('a picture of many samples is asked for as it grows, and stands in the end', async () => {
   const asked = [];
   page.on('request', (request) => asked.push(request.url().split('/').at(-1)));
@@ -151,6 +184,20 @@ test('keys alone: a moment of an animation, framed and drawn alike', async (t) =
   }
   const { pose } = await shotOf();
   assert.ok(pose.animation === 0 && pose.time > 0, JSON.stringify(pose));
+});
+
+test('a click goes through what the shot leaves out', async (t) => {
+  const builder = new GlbBuilder();
+  builder.add(box(0.5), builder.material({ name: 'cloth' }));
+  builder.add(box(0.1), builder.material({ name: 'stand' }), { translation: [0, 0, 0.5] });
+  const [model, spec] = [at('stand.glb'), at('stand.json')];
+  writeFileSync(model, await builder.bytes());
+  await show(t, model, ['--size', '96', '--view', 'front', '--set', 'ghost=[{"material":"stand","opacity":0}]', '--spec', spec]);
+  await tool(page, 'callout');
+  await clickAt(page, [0.5, 0.5]);
+  await save(page);
+  const [{ point }] = JSON.parse(readFileSync(spec, 'utf8')).callouts;
+  assert.ok(Math.abs(point[2] - 0.25) < 1e-4, `${point}`);
 });
 
 test('KTX2 textures and Draco meshes are decoded in the page', async (t) => {
