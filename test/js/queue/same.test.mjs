@@ -152,6 +152,14 @@ for (const [name, kind] of Object.entries({ ...QUEUES, Redis: { place: () => onR
       assert.deepEqual([ids.size, runs.length], [5, 5]);
     });
 
+    test('files that come in another order are the same job; fonts, of which the first that has a character shows it, are not', async (t) => {
+      const queue = await open(t, await kind.place(t));
+      const idOf = async (...names) => (await queue.add({ ...taskOf('a'), files: Object.fromEntries(names.map((name) => [name, Buffer.from(name)])) })).id;
+      assert.equal(await idOf('actual', 'expected', 'part b', 'part a'), await idOf('part a', 'expected', 'part b', 'actual'));
+      assert.equal(await idOf('font a', 'model', 'font b'), await idOf('model', 'font a', 'font b'));
+      assert.notEqual(await idOf('font a', 'font b'), await idOf('font b', 'font a'));
+    });
+
     test('the urgent one first, then in order', async (t) => {
       const gate = deferred();
       const { queue, runs } = await working(t, async ({ asked }) => {
