@@ -1,5 +1,5 @@
 import { TelarError } from '../error/index.mjs';
-import { onAbort } from '../api/on_abort.mjs';
+import { orEnd } from '../api/on_abort.mjs';
 import { wrongOption } from '../api/option_check.mjs';
 import { bytesOf } from '../api/source.mjs';
 import { shown } from '../shot/complain.mjs';
@@ -19,19 +19,6 @@ function originOf(entry) {
   if (!origin || pathname !== '/' || search || username || password)
     throw wrongOption('options.allowHosts', 'hosts, or origins as in http://store:9000', entry);
   return origin;
-}
-
-/** A callback that does not look at its signal is not waited for. */
-async function orEnd(promise, signal) {
-  let stopListening;
-  const end = new Promise((_, reject) => {
-    stopListening = onAbort(signal, reject);
-  });
-  try {
-    return await Promise.race([promise, end]);
-  } finally {
-    stopListening();
-  }
 }
 
 export class References {
@@ -68,10 +55,9 @@ export class References {
   }
 
   async #resolved(reference, signal) {
-    signal.throwIfAborted();
     let given;
     try {
-      given = await orEnd(Promise.resolve(this.#resolve(reference, { signal, maxBytes: this.#maxBytes })), signal);
+      given = await orEnd(signal, () => this.#resolve(reference, { signal, maxBytes: this.#maxBytes }));
     } catch (cause) {
       if (signal.aborted || cause instanceof TelarError) throw signal.reason ?? cause;
       throw new TelarError('X_RESOLVE', `the owner of the service could not resolve ${named(reference)}`, { cause });

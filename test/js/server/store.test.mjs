@@ -207,6 +207,15 @@ const CHECKS = {
       mood = 'well';
     }
   },
+  async 'callbacks that never give an address are part of the time of the answer, and keep no service from ending'(serve) {
+    const never = () => new Promise(() => {});
+    await withService(serve, { store: { get: never }, deadlineMs: 300 }, async ({ url }) => {
+      const { status, code } = await problemOf(await post(url, THUMBNAILS, glb, { shot: SHOT }));
+      assert.deepEqual([status, code], [504, 'X_TIMEOUT']);
+    });
+    const { status, isDrawn } = await withService(serve, { store: { put: never } }, ({ ask }) => ask(SHOT));
+    assert.deepEqual([status, isDrawn], [200, true]);
+  },
   async 'what another service stored is no larger than this one draws'(serve) {
     const store = folder();
     const shot = { ...SHOT, size: undefined, scale: '1:10', output: { ppi: 20 } };
