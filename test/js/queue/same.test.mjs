@@ -181,6 +181,16 @@ for (const [name, kind] of Object.entries({ ...QUEUES, Redis: { place: () => onR
       assert.deepEqual(runs, ['first', 'now', 'a', 'b', 'later']);
     });
 
+    test('what one process adds at the same moment passes no bound, and the same job counts once', async (t) => {
+      const bounds = { jobs: 4, tenantJobs: 3, tenantMs: 3_600_000 };
+      const queue = await open(t, { ...(await kind.place(t)), ...bounds });
+      const addAll = async (tenant, names) =>
+        (await Promise.all(names.map((name) => codeOf(queue.add(taskOf(name), { tenant }))))).filter((code) => !code).length;
+      assert.equal(await addAll('one', ['a', 'a', 'a', 'a', 'b', 'c', 'd', 'e', 'f']), 6, 'a four times, b and c');
+      assert.equal(await addAll('two', ['a', 'b', 'c', 'd']), 1);
+      assert.equal((await queue.counts()).waiting, bounds.jobs);
+    });
+
     test('so many wait, so large, so often by a tenant; one more is refused, and the same one again is not', async (t) => {
       const queue = await open(t, { ...(await kind.place(t)), jobs: 3, taskBytes: 20, tenantJobs: 2, tenantMs: 3_600_000 });
       assert.equal(await codeOf(queue.add(taskOf('a name that is too long'))), 'L_REQUEST_BYTES');
