@@ -4,6 +4,7 @@ import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { setTimeout as sleep } from 'node:timers/promises';
+import { ResultFolder } from '../../../js/queue/result_folder.mjs';
 import { listen } from '../../../js/server/index.mjs';
 import { importMutant, outcomeOf } from './mutants.mjs';
 import { ENDLESS, HOURS, MODELS, SHOT, bytesOf, openPool, post, problemOf } from './support.mjs';
@@ -178,6 +179,15 @@ const CHECKS = {
       assert.deepEqual([(await ask(shotOf(5))).isDrawn, (await ask(shotOf(1))).isDrawn], [false, true]);
     });
   },
+  async 'several that share a folder keep it within the bound and a tenth for each'() {
+    const [store, maxBytes, size] = [folder(), 1e6, 20_000];
+    const all = await Promise.all(Array.from({ length: 4 }, () => ResultFolder.open(store, maxBytes)));
+    const taken = () => readdirSync(store).reduce((sum, name) => sum + statSync(path.join(store, name)).size, 0);
+    for (let i = 0; i < 80; ++i) {
+      await all[i % 4].put(String(i).padStart(64, '0'), Buffer.alloc(size));
+      assert.ok(taken() <= maxBytes + 4 * (maxBytes / 10 + size), `${taken()}`);
+    }
+  },
   async 'a store that fails costs no answer, and is counted'(serve) {
     const store = folder();
     await withService(serve, { store }, async ({ ask, counted }) => {
@@ -257,7 +267,7 @@ const FAULTS = [
   ['at addresses', 'result_addresses.mjs', 'response.status === 404 || response.status === 403', 'true'],
   ['each shot', 'result_folder.mjs', '`${name}${ENDING}`', '`one${ENDING}`'],
   ['a file that is damaged', 'stored_result.mjs', '!bytes.subarray(MAGIC.length, BEGIN).equals(sha256([rest]))', 'bytes.length < BEGIN'],
-  ['a folder is bounded', 'result_folder.mjs', 'this.#bytes += bytes.byteLength;', ''],
+  ['a folder is bounded', 'result_folder.mjs', 'this.#written += bytes.byteLength;', ''],
   ['a folder is bounded', 'result_folder.mjs', 'a.mtimeMs - b.mtimeMs', 'b.mtimeMs - a.mtimeMs'],
   ['a store that fails', 'result_store.mjs', "this.#count('failed', error);\n      return undefined;", 'throw error;'],
   ['a store that never', 'result_addresses.mjs', 'AbortSignal.any([signal, AbortSignal.timeout(MOST_MS)])', 'AbortSignal.timeout(MOST_MS)'],
