@@ -7,8 +7,8 @@ import { tooLarge } from './receive.mjs';
 
 /** Models that a request names: by the owner's callback, or from hosts that the owner allows. */
 
-/** Without its parameters, which may hold a key or a signature: messages go to logs. */
-const named = (reference) => shown(reference.split(/[?#]/)[0]);
+/** Without its parameters, which may hold a key or a signature, and without a name and password: messages go to logs. */
+const named = (reference) => shown(reference.split(/[?#]/)[0].replace(/^(https?:\/\/)[^/]*@/i, '$1'));
 
 const isAddress = (reference) => /^https?:\/\//i.test(reference);
 
@@ -41,16 +41,16 @@ export class References {
    * @throws {TelarError} E_URI_DENIED, E_NOT_FOUND, L_FILE_BYTES, X_SOURCE, X_RESOLVE
    */
   async bytes(reference, signal, held) {
-    if (isAddress(reference) && URL.canParse(reference)) {
-      const { origin, username, password } = new URL(reference);
-      if (this.#origins.has(origin) && !username && !password) return this.#fetch(reference, signal, held);
-    }
+    const { origin, username, password } = isAddress(reference) && URL.canParse(reference) ? new URL(reference) : {};
+    const hasName = Boolean(username || password);
+    if (this.#origins.has(origin) && !hasName) return this.#fetch(reference, signal, held);
     if (this.#resolve) {
       const bytes = await this.#resolved(reference, signal);
       held.grow(bytes.byteLength);
       return bytes;
     }
-    const why = isAddress(reference) ? 'its host is not allowed' : 'this service resolves no references';
+    const whyNotAsked = hasName ? 'addresses with a name or a password are not' : 'its host is not allowed';
+    const why = isAddress(reference) ? whyNotAsked : 'this service resolves no references';
     throw new TelarError('E_URI_DENIED', `request.model: ${named(reference)} is not opened, as ${why}; send the model in the request`, { pointer: '/model' });
   }
 
