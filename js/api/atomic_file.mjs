@@ -161,6 +161,7 @@ export async function sweepStale(folder) {
     if (pid !== process.pid && isAlive(pid)) continue;
     const file = path.join(folder, name);
     const { mtimeMs = Infinity } = await stat(file).catch(() => ({}));
-    if (Date.now() - mtimeMs > STALE_MS) await rm(file, { force: true });
+    // In a folder such as /tmp it may be another user's.
+    if (Date.now() - mtimeMs > STALE_MS) await rm(file, { force: true }).catch(() => {});
   }
 }

@@ -29,9 +29,15 @@ export class ResultFolder {
     } catch (cause) {
       throw new TelarError('E_OPTION', `options.store: the folder cannot be made (${cause.code})`, { cause });
     }
+    try {
+      await readdir(folder);
+    } catch (cause) {
+      throw new TelarError('E_OPTION', `options.store: the folder cannot be read (${cause.code})`, { cause });
+    }
     await sweepStale(folder);
     const place = new ResultFolder(folder, maxBytes);
-    await place.#sweep();
+    // What cannot be removed, as in a folder that is read alone, keeps no service from starting.
+    await place.#sweep().catch(() => {});
     return place;
   }
 

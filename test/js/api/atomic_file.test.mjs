@@ -91,7 +91,12 @@ test('the sweep takes old leftovers of dead processes, and of one that had the n
     return at(name);
   };
   const gone = [make(leftover(dead, '0123456789ab'), old), make(leftover(process.pid, '0123456789ab'), old)];
+  // One that cannot be removed, as another user's in /tmp, is left.
+  const stuck = at(leftover(dead, '3123456789ab'));
+  mkdirSync(stuck);
+  utimesSync(stuck, old, old);
   const kept = [
+    stuck,
     make(leftover(dead, '1123456789ab')),
     make(leftover(process.pid, '1123456789ab')),
     make(leftover(process.ppid, '2123456789ab'), old),

@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { mkdtempSync, readFileSync, readdirSync, rmSync, statSync, utimesSync, writeFileSync } from 'node:fs';
+import { chmodSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, statSync, utimesSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
@@ -284,6 +284,22 @@ for (const [name, check] of Object.entries(CHECKS)) {
     });
   }
 }
+
+test('a folder from which nothing can be removed keeps no service from starting', async () => {
+  const store = folder();
+  mkdirSync(path.join(store, `${'0'.repeat(64)}.result`));
+  writeFileSync(path.join(store, `${'1'.repeat(64)}.result`), Buffer.alloc(2000));
+  assert.equal((await withService(listen, { store, storeBytes: 1 }, ({ ask }) => ask(SHOT))).status, 200);
+});
+
+test('refused: a folder that may not be read', async (t) => {
+  const store = folder();
+  chmodSync(root, 0o711);
+  chmodSync(store, 0);
+  if (process.getuid() === 0) process.seteuid(65534);
+  t.after(() => process.getuid() === 0 && process.seteuid(0));
+  await assert.rejects(ResultFolder.open(store, 1e6), { code: 'E_OPTION', message: /^options\.store: the folder cannot be read \(EACCES\)$/ });
+});
 
 for (const [store, message] of [
   ['', /^options\.store: expected a folder, or \{get, put\}/],
