@@ -164,7 +164,7 @@ export class RedisQueue {
       if (refsOf(job?.data.task)[0] !== refsOf(data.task)[0]) await this.#store.drop(refsOf(data.task));
     } catch (error) {
       // Whether the server has the job is not known; where it has, its bytes are needed.
-      if (!/Connection|closed|writeable|ECONN|EPIPE/i.test(error.message)) await this.#store.drop(refsOf(data.task)).catch(() => {});
+      if (!/Connection|closed|writeable|timed out|ECONN|EPIPE/i.test(error.message)) await this.#store.drop(refsOf(data.task)).catch(() => {});
       throw error;
     }
   }
