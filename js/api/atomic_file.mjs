@@ -155,9 +155,13 @@ export async function sweepStale(folder) {
   const names = await readdir(folder).catch(() => []);
   for (const name of names) {
     const match = TEMPORARY.exec(name);
-    if (!match || isAlive(Number(match[1]))) continue;
+    if (!match) continue;
+    // In a container that was started again, this process has the number of the one that left it.
+    const pid = Number(match[1]);
+    if (pid !== process.pid && isAlive(pid)) continue;
     const file = path.join(folder, name);
     const { mtimeMs = Infinity } = await stat(file).catch(() => ({}));
-    if (Date.now() - mtimeMs > STALE_MS) await rm(file, { force: true });
+    // In a folder such as /tmp it may be another user's.
+    if (Date.now() - mtimeMs > STALE_MS) await rm(file, { force: true }).catch(() => {});
   }
 }

@@ -27,3 +27,24 @@ export function onAbort(signal, callback) {
     waiting.delete(signal);
   };
 }
+
+/**
+ * What a callback of the owner gives, until the signal fires: one that does not look at its signal is not waited for.
+ * @param {AbortSignal} signal
+ * @param {() => T | Promise<T>} use
+ * @returns {Promise<T>}
+ * @throws the signal's reason, and what it throws
+ * @template T
+ */
+export async function orEnd(signal, use) {
+  signal.throwIfAborted();
+  let stopListening;
+  const end = new Promise((_, reject) => {
+    stopListening = onAbort(signal, reject);
+  });
+  try {
+    return await Promise.race([use(), end]);
+  } finally {
+    stopListening();
+  }
+}

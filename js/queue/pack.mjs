@@ -53,6 +53,9 @@ export function unpackTask(plain, parts) {
   return task;
 }
 
+/** Of files the order counts for nothing, but for that of fonts: the first that has a character shows it. */
+const placeOf = ([at]) => canonical(at[0] === 'files' && at[1].startsWith('font ') ? ['files', 'font '] : at);
+
 /**
  * The id of a job: SHA-256 of all that its result depends on, and of who asks. Asked for again, it is the same job.
  * @param {{plain: object, parts: {at: (string | number)[], data: Uint8Array}[]}} packed
@@ -60,7 +63,8 @@ export function unpackTask(plain, parts) {
  * @returns {Promise<string>} 64 hex digits
  */
 export async function jobId({ plain, parts }, { meta, tenant, put }) {
-  const files = await Promise.all(parts.map(async ({ at, data }) => [at, await digestOf(data)]));
+  const found = await Promise.all(parts.map(async ({ at, data }) => [at, await digestOf(data)]));
+  const files = found.sort((a, b) => (placeOf(a) < placeOf(b) ? -1 : Number(placeOf(a) > placeOf(b))));
   // Signatures of presigned addresses differ each time.
   const where = put?.map((url) => new URL(url).origin + new URL(url).pathname);
   return createHash('sha256')

@@ -17,12 +17,16 @@ export async function putFiles(files, addresses, { signal, hosts }) {
   return Promise.all(files.map((file, i) => putFile(file, new URL(addresses[i]), { signal, hosts })));
 }
 
+/** Hosts as addresses write them: in lower case, and without the port that the scheme has by itself. */
+const isOneOf = (hosts, { protocol, host }) => hosts.some((given) => URL.canParse(`${protocol}//${given}`) && new URL(`${protocol}//${given}`).host === host);
+
 async function putFile({ name, type, data }, url, { signal, hosts }) {
-  if (hosts && !hosts.includes(url.host)) throw new TelarError('E_URI_DENIED', `options.put: results are not sent to ${url.host}`);
+  if (hosts && !isOneOf(hosts, url)) throw new TelarError('E_URI_DENIED', `options.put: results are not sent to ${url.host}`);
   let response;
   try {
     response = await fetch(url, { method: 'PUT', body: data, headers: { 'content-type': type }, redirect: 'error', signal });
-    await response.arrayBuffer();
+    // What the host says beside its status may have no end.
+    await response.body?.cancel();
   } catch (cause) {
     if (signal.aborted) throw signal.reason;
     throw failed(url.host, 'it cannot be reached', cause);

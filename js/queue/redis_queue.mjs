@@ -49,6 +49,8 @@ export class RedisQueue {
   /** What lets go of the connections. */
   #lettingGo = [];
   #listeners = new Map();
+  /** The last adding. */
+  #adding = Promise.resolve();
   #timers = [];
 
   /**
@@ -112,17 +114,43 @@ export class RedisQueue {
     if (packed.bytes > this.#bounds.taskBytes) throw tooLarge(packed.bytes, this.#bounds);
     const id = await jobId(packed, { meta, tenant, put });
     return told(async () => {
-      const before = await this.#queue.getJob(id);
-      const known = await this.#stateOf(id, before);
-      if (known && isKept(known)) return known;
+      const { known } = await this.#found(id);
+      if (known) return known;
       await this.check(tenant);
-      await this.#count(tenant);
-      if (before) await this.#makeRoom(before);
-      await this.#marks.clear(id);
       const stored = await storeTask(this.#store, packed, this.#bounds.waitMs);
-      await this.#addStored(id, { kind: task.kind, task: stored, meta, put, ends: 0 }, priority);
-      return this.get(id);
+      return this.#oneByOne(async () => {
+        try {
+          const meanwhile = await this.#found(id);
+          if (meanwhile.known) {
+            await this.#store.drop(refsOf(stored));
+            return meanwhile.known;
+          }
+          await this.check(tenant);
+          await this.#count(tenant);
+          if (meanwhile.before) await this.#makeRoom(meanwhile.before);
+          await this.#marks.clear(id);
+        } catch (error) {
+          await this.#store.drop(refsOf(stored)).catch(() => {});
+          throw error;
+        }
+        await this.#addStored(id, { kind: task.kind, task: stored, meta, put, ends: 0 }, priority);
+        return this.get(id);
+      });
     });
+  }
+
+  /** The job, as far as it is known, and its state where it stays as it is. */
+  async #found(id) {
+    const before = await this.#queue.getJob(id);
+    const state = await this.#stateOf(id, before);
+    return { before, known: state && isKept(state) ? state : undefined };
+  }
+
+  /** Between a look at the bounds and the adding, this process adds no other job. */
+  #oneByOne(use) {
+    const done = this.#adding.then(use);
+    this.#adding = done.catch(() => {});
+    return done;
   }
 
   async #addStored(id, data, priority) {
@@ -136,7 +164,7 @@ export class RedisQueue {
       if (refsOf(job?.data.task)[0] !== refsOf(data.task)[0]) await this.#store.drop(refsOf(data.task));
     } catch (error) {
       // Whether the server has the job is not known; where it has, its bytes are needed.
-      if (!/Connection|closed|writeable|ECONN|EPIPE/i.test(error.message)) await this.#store.drop(refsOf(data.task)).catch(() => {});
+      if (!/Connection|closed|writeable|timed out|ECONN|EPIPE/i.test(error.message)) await this.#store.drop(refsOf(data.task)).catch(() => {});
       throw error;
     }
   }

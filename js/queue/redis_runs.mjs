@@ -1,6 +1,6 @@
 import { toTelarError } from '../error/index.mjs';
 import { showing } from './preview.mjs';
-import { connect, letGoOf } from './redis_server.mjs';
+import { CLOSE_MS, connect, letGoOf } from './redis_server.mjs';
 import { loadTask, refsOf, storeResult } from './stored.mjs';
 import { backoffOf, cancelled, isPoison, poisoned, verdictOf } from './verdict.mjs';
 
@@ -130,7 +130,10 @@ export class RedisRuns {
 
   abort(reason) {
     // What is given back is for another process.
-    this.idle().catch(() => {});
+    const ended = this.idle().catch(() => {});
+    // What waits for a server that is away ends with its connection; another process takes the job when the lease is over.
+    const late = setTimeout(() => this.#letGo(), CLOSE_MS);
+    ended.finally(() => clearTimeout(late));
     for (const controller of this.#running.values()) controller.abort(reason);
   }
 }

@@ -5,6 +5,8 @@ import { TelarError } from '../error/index.mjs';
 
 /** Milliseconds to connect. */
 const CONNECT_MS = 10_000;
+/** Milliseconds that a server has to answer whoever does not wait for one: less than Prometheus waits for figures, and time for a large model. */
+const ANSWER_MS = 8000;
 /** Milliseconds between two tries to connect again: the longest. */
 const AGAIN_MS = 2000;
 
@@ -37,7 +39,7 @@ export async function told(use) {
 /**
  * @param {typeof import('ioredis').Redis} Redis
  * @param {string} url
- * @param {{waits: boolean}} how waits: commands wait for a server that is away, as workers do; otherwise they fail at once
+ * @param {{waits: boolean}} how waits: commands wait for a server that is away, as workers do; otherwise they fail at once, and where it does not answer in time
  */
 export function connect(Redis, url, { waits }) {
   const client = new Redis(url, {
@@ -45,6 +47,7 @@ export function connect(Redis, url, { waits }) {
     maxRetriesPerRequest: null,
     enableOfflineQueue: waits,
     connectTimeout: CONNECT_MS,
+    ...(!waits && { commandTimeout: ANSWER_MS }),
     retryStrategy: (tries) => Math.min(50 * 2 ** tries, AGAIN_MS),
   });
   client.on('error', () => {}); // It connects again; each command tells.
@@ -67,7 +70,7 @@ export function letGoOf(client) {
 }
 
 /** Milliseconds that the server has to answer when a queue is closed. */
-const CLOSE_MS = 2000;
+export const CLOSE_MS = 2000;
 
 /** Resolves when all are closed, or when a server that is away has had its time. @param {Promise<unknown>[]} closing */
 export async function closedInTime(closing) {

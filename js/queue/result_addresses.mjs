@@ -1,4 +1,6 @@
-/** Milliseconds that another host gets for a result. */
+import { orEnd } from '../api/on_abort.mjs';
+
+/** Milliseconds that the owner's callback and another host get for a result. */
 const MOST_MS = 5000;
 const TYPE = 'application/octet-stream';
 
@@ -19,10 +21,11 @@ export class ResultAddresses {
   }
 
   async get(name, signal) {
-    const given = await this.#addresses.get?.(name);
+    const end = AbortSignal.any([signal, AbortSignal.timeout(MOST_MS)]);
+    const given = await orEnd(end, () => this.#addresses.get?.(name));
     if (!given) return undefined;
     const { url, headers } = asRequest(given);
-    const response = await fetch(url, { headers, redirect: 'manual', signal: AbortSignal.any([signal, AbortSignal.timeout(MOST_MS)]) });
+    const response = await fetch(url, { headers, redirect: 'manual', signal: end });
     // S3 says 403 of what is not there to whoever may not list.
     if (response.status !== 200) await response.body?.cancel();
     if (response.status === 404 || response.status === 403) return undefined;
@@ -38,10 +41,11 @@ export class ResultAddresses {
   }
 
   async put(name, bytes) {
-    const given = bytes.byteLength <= this.#maxBytes && (await this.#addresses.put?.(name));
+    const signal = AbortSignal.timeout(MOST_MS);
+    const given = bytes.byteLength <= this.#maxBytes && (await orEnd(signal, () => this.#addresses.put?.(name)));
     if (!given) return;
     const { url, headers } = asRequest(given);
-    const init = { method: 'PUT', body: bytes, headers: { 'content-type': TYPE, ...headers }, redirect: 'manual', signal: AbortSignal.timeout(MOST_MS) };
+    const init = { method: 'PUT', body: bytes, headers: { 'content-type': TYPE, ...headers }, redirect: 'manual', signal };
     const response = await fetch(url, init);
     await response.body?.cancel();
     if (!response.ok) throw new Error(`the store answers with ${response.status}`);

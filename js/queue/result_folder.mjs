@@ -18,6 +18,8 @@ export class ResultFolder {
   #folder;
   #maxBytes;
   #bytes = 0;
+  /** By this process, since it looked last. */
+  #written = 0;
   #sweeping;
 
   /** @throws {TelarError} E_OPTION */
@@ -27,9 +29,15 @@ export class ResultFolder {
     } catch (cause) {
       throw new TelarError('E_OPTION', `options.store: the folder cannot be made (${cause.code})`, { cause });
     }
+    try {
+      await readdir(folder);
+    } catch (cause) {
+      throw new TelarError('E_OPTION', `options.store: the folder cannot be read (${cause.code})`, { cause });
+    }
     await sweepStale(folder);
     const place = new ResultFolder(folder, maxBytes);
-    await place.#sweep();
+    // What cannot be removed, as in a folder that is read alone, keeps no service from starting.
+    await place.#sweep().catch(() => {});
     return place;
   }
 
@@ -57,8 +65,9 @@ export class ResultFolder {
   async put(name, bytes) {
     if (bytes.byteLength > this.#maxBytes) return;
     await writeFileAtomically(this.#file(name), bytes);
-    this.#bytes += bytes.byteLength;
-    if (this.#bytes <= this.#maxBytes) return;
+    this.#written += bytes.byteLength;
+    // Others may have written as much.
+    if (this.#bytes + this.#written <= this.#maxBytes && this.#written <= (1 - SWEPT) * this.#maxBytes) return;
     this.#sweeping ??= this.#sweep().finally(() => {
       this.#sweeping = undefined;
     });
@@ -71,6 +80,7 @@ export class ResultFolder {
 
   /** Looks at the folder itself, which others may write to. */
   async #sweep() {
+    this.#written = 0;
     const names = (await readdir(this.#folder)).filter((name) => NAME.test(name));
     const found = await Promise.all(
       names.map(async (name) => {

@@ -1,5 +1,5 @@
 import { TelarError } from '../error/index.mjs';
-import { onAbort } from '../api/on_abort.mjs';
+import { orEnd } from '../api/on_abort.mjs';
 import { wrongOption } from '../api/option_check.mjs';
 import { bytesOf } from '../api/source.mjs';
 import { shown } from '../shot/complain.mjs';
@@ -7,8 +7,8 @@ import { tooLarge } from './receive.mjs';
 
 /** Models that a request names: by the owner's callback, or from hosts that the owner allows. */
 
-/** Without its parameters, which may hold a key or a signature: messages go to logs. */
-const named = (reference) => shown(reference.split(/[?#]/)[0]);
+/** Without its parameters, which may hold a key or a signature, and without a name and password: messages go to logs. */
+const named = (reference) => shown(reference.split(/[?#]/)[0].replace(/^(https?:\/\/)[^/]*@/i, '$1'));
 
 const isAddress = (reference) => /^https?:\/\//i.test(reference);
 
@@ -19,19 +19,6 @@ function originOf(entry) {
   if (!origin || pathname !== '/' || search || username || password)
     throw wrongOption('options.allowHosts', 'hosts, or origins as in http://store:9000', entry);
   return origin;
-}
-
-/** A callback that does not look at its signal is not waited for. */
-async function orEnd(promise, signal) {
-  let stopListening;
-  const end = new Promise((_, reject) => {
-    stopListening = onAbort(signal, reject);
-  });
-  try {
-    return await Promise.race([promise, end]);
-  } finally {
-    stopListening();
-  }
 }
 
 export class References {
@@ -54,24 +41,23 @@ export class References {
    * @throws {TelarError} E_URI_DENIED, E_NOT_FOUND, L_FILE_BYTES, X_SOURCE, X_RESOLVE
    */
   async bytes(reference, signal, held) {
-    if (isAddress(reference) && URL.canParse(reference)) {
-      const { origin, username, password } = new URL(reference);
-      if (this.#origins.has(origin) && !username && !password) return this.#fetch(reference, signal, held);
-    }
+    const { origin, username, password } = isAddress(reference) && URL.canParse(reference) ? new URL(reference) : {};
+    const hasName = Boolean(username || password);
+    if (this.#origins.has(origin) && !hasName) return this.#fetch(reference, signal, held);
     if (this.#resolve) {
       const bytes = await this.#resolved(reference, signal);
       held.grow(bytes.byteLength);
       return bytes;
     }
-    const why = isAddress(reference) ? 'its host is not allowed' : 'this service resolves no references';
+    const whyNotAsked = hasName ? 'addresses with a name or a password are not' : 'its host is not allowed';
+    const why = isAddress(reference) ? whyNotAsked : 'this service resolves no references';
     throw new TelarError('E_URI_DENIED', `request.model: ${named(reference)} is not opened, as ${why}; send the model in the request`, { pointer: '/model' });
   }
 
   async #resolved(reference, signal) {
-    signal.throwIfAborted();
     let given;
     try {
-      given = await orEnd(Promise.resolve(this.#resolve(reference, { signal, maxBytes: this.#maxBytes })), signal);
+      given = await orEnd(signal, () => this.#resolve(reference, { signal, maxBytes: this.#maxBytes }));
     } catch (cause) {
       if (signal.aborted || cause instanceof TelarError) throw signal.reason ?? cause;
       throw new TelarError('X_RESOLVE', `the owner of the service could not resolve ${named(reference)}`, { cause });

@@ -32,7 +32,8 @@ function cameraIdentity(camera) {
   const projection = camera.projection ?? (camera.height === undefined ? 'perspective' : 'orthographic');
   const lens = projection === 'perspective' && { fovY: camera.fovY ?? DEFAULT_FOV_Y };
   if (camera.position !== undefined) return { ...rest, projection, ...lens };
-  const angles = azimuth === undefined && elevation === undefined ? VIEWS[view ?? 'front'] : { azimuth: azimuth ?? 0, elevation: elevation ?? 0 };
+  // A view beside angles is refused when it is drawn: it is no other word for a picture that may be kept.
+  const angles = azimuth === undefined && elevation === undefined ? VIEWS[view ?? 'front'] : { view, azimuth: azimuth ?? 0, elevation: elevation ?? 0 };
   return { ...rest, ...lens, ...angles };
 }
 

@@ -81,7 +81,7 @@ test('a full disk is X_OUTPUT', async () => {
   await assert.rejects(writeFileAtomically('/dev/full', Buffer.from('x')), /"\/dev\/full" cannot be written \(ENOSPC\); the disk is full: free some space$/);
 });
 
-test('the sweep takes old leftovers of dead processes only', async () => {
+test('the sweep takes old leftovers of dead processes, and of one that had the number of this one', async () => {
   const dead = execFileSync(process.execPath, ['-p', 'process.pid'], { encoding: 'utf8' }).trim();
   const leftover = (pid, hex) => `.a.png.telar-${pid}-${hex}.tmp`;
   const old = new Date(Date.now() - 7_200_000);
@@ -90,10 +90,21 @@ test('the sweep takes old leftovers of dead processes only', async () => {
     if (time) utimesSync(at(name), time, time);
     return at(name);
   };
-  const gone = make(leftover(dead, '0123456789ab'), old);
-  const kept = [make(leftover(dead, '1123456789ab')), make(leftover(process.pid, '2123456789ab'), old), make('.a.png.tmp', old), make('a.png', old)];
+  const gone = [make(leftover(dead, '0123456789ab'), old), make(leftover(process.pid, '0123456789ab'), old)];
+  // One that cannot be removed, as another user's in /tmp, is left.
+  const stuck = at(leftover(dead, '3123456789ab'));
+  mkdirSync(stuck);
+  utimesSync(stuck, old, old);
+  const kept = [
+    stuck,
+    make(leftover(dead, '1123456789ab')),
+    make(leftover(process.pid, '1123456789ab')),
+    make(leftover(process.ppid, '2123456789ab'), old),
+    make('.a.png.tmp', old),
+    make('a.png', old),
+  ];
   await sweepStale(folder);
-  assert.ok(!existsSync(gone));
+  assert.deepEqual(gone.filter(existsSync), []);
   assert.deepEqual(
     kept.filter((file) => !existsSync(file)),
     [],

@@ -180,6 +180,12 @@ test('a shot in other words has the same key, another shot another one', async (
   assert.equal(new Set([key, ...keys]).size, others.length + 1);
 });
 
+test('a shot that is refused has the key of no picture', async () => {
+  const refused = { camera: { view: 'left', azimuth: 0 } };
+  await assert.rejects(renderer.render(model, refused), { code: 'E_SHOT' });
+  assert.notEqual(await pictureKey(model, refused), await pictureKey(model, { camera: { azimuth: 0 } }));
+});
+
 test('another version, and another default of the shot, make another key', () => {
   const parts = { version: '1.0.0', model: 'a', environment: 'studio', shot: shotIdentity({}) };
   const key = keyOfParts(parts);

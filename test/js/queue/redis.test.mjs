@@ -1,13 +1,17 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { freePort, open, over, startProcess, startRedis, taskOf, textOf } from './support.mjs';
+import { deferred, freePort, open, over, startProcess, resultOf, startRedis, taskOf, textOf } from './support.mjs';
+import { openQueue } from '../../../js/queue/index.mjs';
 import { until } from '../../until.mjs';
 
 // The Redis server itself: its settings, its end and its return.
 
 async function redis(t, settings) {
   const server = await startRedis(settings);
-  t.after(() => server.stop());
+  t.after(() => {
+    server.thaw();
+    return server.stop();
+  });
   return server;
 }
 
@@ -71,4 +75,25 @@ test('kill -9 of Redis and its return: what was added is drawn, workers and list
   await until(() => told.at(-1) === 'done');
   const counts = await queue.counts();
   assert.deepEqual([counts.waiting, counts.running, counts.kept], [0, 0, 2]);
+});
+
+test('Redis keeps its connections and answers nothing: whoever asks is told in time, and the queue ends', { timeout: 60_000 }, async (t) => {
+  const server = await redis(t);
+  const queue = await openQueue({ redis: server.url });
+  const [begun, goOn] = [deferred(), deferred()];
+  queue.take(
+    async () => {
+      begun.settle();
+      await goOn.promise;
+      return resultOf('a');
+    },
+    { atOnce: 1 },
+  );
+  const { id } = await queue.add(taskOf('a'));
+  await begun.promise;
+  server.freeze();
+  await Promise.all([queue.get(id), queue.add(taskOf('b')), queue.counts()].map((asked) => assert.rejects(asked, { code: 'X_QUEUE' })));
+  // Its result waits for the server.
+  goOn.settle();
+  await queue.close();
 });

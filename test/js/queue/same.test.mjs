@@ -152,6 +152,14 @@ for (const [name, kind] of Object.entries({ ...QUEUES, Redis: { place: () => onR
       assert.deepEqual([ids.size, runs.length], [5, 5]);
     });
 
+    test('files that come in another order are the same job; fonts, of which the first that has a character shows it, are not', async (t) => {
+      const queue = await open(t, await kind.place(t));
+      const idOf = async (...names) => (await queue.add({ ...taskOf('a'), files: Object.fromEntries(names.map((name) => [name, Buffer.from(name)])) })).id;
+      assert.equal(await idOf('actual', 'expected', 'part b', 'part a'), await idOf('part a', 'expected', 'part b', 'actual'));
+      assert.equal(await idOf('font a', 'model', 'font b'), await idOf('model', 'font a', 'font b'));
+      assert.notEqual(await idOf('font a', 'font b'), await idOf('font b', 'font a'));
+    });
+
     test('the urgent one first, then in order', async (t) => {
       const gate = deferred();
       const { queue, runs } = await working(t, async ({ asked }) => {
@@ -171,6 +179,16 @@ for (const [name, kind] of Object.entries({ ...QUEUES, Redis: { place: () => onR
       gate.settle();
       for (const { id } of added) await over(queue, id);
       assert.deepEqual(runs, ['first', 'now', 'a', 'b', 'later']);
+    });
+
+    test('what one process adds at the same moment passes no bound, and the same job counts once', async (t) => {
+      const bounds = { jobs: 4, tenantJobs: 3, tenantMs: 3_600_000 };
+      const queue = await open(t, { ...(await kind.place(t)), ...bounds });
+      const addAll = async (tenant, names) =>
+        (await Promise.all(names.map((name) => codeOf(queue.add(taskOf(name), { tenant }))))).filter((code) => !code).length;
+      assert.equal(await addAll('one', ['a', 'a', 'a', 'a', 'b', 'c', 'd', 'e', 'f']), 6, 'a four times, b and c');
+      assert.equal(await addAll('two', ['a', 'b', 'c', 'd']), 1);
+      assert.equal((await queue.counts()).waiting, bounds.jobs);
     });
 
     test('so many wait, so large, so often by a tenant; one more is refused, and the same one again is not', async (t) => {

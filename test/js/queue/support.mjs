@@ -56,6 +56,9 @@ export async function startRedis(settings = []) {
   return {
     url: `redis://127.0.0.1:${port}`,
     start,
+    /** It keeps its connections and answers nothing. */
+    freeze: () => child.kill('SIGSTOP'),
+    thaw: () => child.kill('SIGCONT'),
     kill: () => end('SIGKILL'),
     async stop() {
       await end();

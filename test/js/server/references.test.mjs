@@ -81,7 +81,10 @@ test('addresses that only look as if they were of an allowed host', async () => 
   ]) {
     await denied(reference, { allowHosts });
   }
-  await denied(`http://name:word@127.0.0.1:${port}/model.glb`, { allowHosts: [origin] });
+  assert.equal(
+    await denied(`http://name:w@rd@127.0.0.1:${port}/model.glb`, { allowHosts: [origin] }),
+    `request.model: "${origin}/model.glb" is not opened, as addresses with a name or a password are not; send the model in the request`,
+  );
 });
 
 test('a model of an allowed host is drawn; nothing of the request goes there', async () => {

@@ -1,9 +1,10 @@
 import assert from 'node:assert/strict';
-import { mkdtempSync, readFileSync, readdirSync, rmSync, statSync, utimesSync, writeFileSync } from 'node:fs';
+import { chmodSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, statSync, utimesSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { setTimeout as sleep } from 'node:timers/promises';
+import { ResultFolder } from '../../../js/queue/result_folder.mjs';
 import { listen } from '../../../js/server/index.mjs';
 import { importMutant, outcomeOf } from './mutants.mjs';
 import { ENDLESS, HOURS, MODELS, SHOT, bytesOf, openPool, post, problemOf } from './support.mjs';
@@ -178,6 +179,15 @@ const CHECKS = {
       assert.deepEqual([(await ask(shotOf(5))).isDrawn, (await ask(shotOf(1))).isDrawn], [false, true]);
     });
   },
+  async 'several that share a folder keep it within the bound and a tenth for each'() {
+    const [store, maxBytes, size] = [folder(), 1e6, 20_000];
+    const all = await Promise.all(Array.from({ length: 4 }, () => ResultFolder.open(store, maxBytes)));
+    const taken = () => readdirSync(store).reduce((sum, name) => sum + statSync(path.join(store, name)).size, 0);
+    for (let i = 0; i < 80; ++i) {
+      await all[i % 4].put(String(i).padStart(64, '0'), Buffer.alloc(size));
+      assert.ok(taken() <= maxBytes + 4 * (maxBytes / 10 + size), `${taken()}`);
+    }
+  },
   async 'a store that fails costs no answer, and is counted'(serve) {
     const store = folder();
     await withService(serve, { store }, async ({ ask, counted }) => {
@@ -206,6 +216,15 @@ const CHECKS = {
     } finally {
       mood = 'well';
     }
+  },
+  async 'callbacks that never give an address are part of the time of the answer, and keep no service from ending'(serve) {
+    const never = () => new Promise(() => {});
+    await withService(serve, { store: { get: never }, deadlineMs: 300 }, async ({ url }) => {
+      const { status, code } = await problemOf(await post(url, THUMBNAILS, glb, { shot: SHOT }));
+      assert.deepEqual([status, code], [504, 'X_TIMEOUT']);
+    });
+    const { status, isDrawn } = await withService(serve, { store: { put: never } }, ({ ask }) => ask(SHOT));
+    assert.deepEqual([status, isDrawn], [200, true]);
   },
   async 'what another service stored is no larger than this one draws'(serve) {
     const store = folder();
@@ -248,7 +267,7 @@ const FAULTS = [
   ['at addresses', 'result_addresses.mjs', 'response.status === 404 || response.status === 403', 'true'],
   ['each shot', 'result_folder.mjs', '`${name}${ENDING}`', '`one${ENDING}`'],
   ['a file that is damaged', 'stored_result.mjs', '!bytes.subarray(MAGIC.length, BEGIN).equals(sha256([rest]))', 'bytes.length < BEGIN'],
-  ['a folder is bounded', 'result_folder.mjs', 'this.#bytes += bytes.byteLength;', ''],
+  ['a folder is bounded', 'result_folder.mjs', 'this.#written += bytes.byteLength;', ''],
   ['a folder is bounded', 'result_folder.mjs', 'a.mtimeMs - b.mtimeMs', 'b.mtimeMs - a.mtimeMs'],
   ['a store that fails', 'result_store.mjs', "this.#count('failed', error);\n      return undefined;", 'throw error;'],
   ['a store that never', 'result_addresses.mjs', 'AbortSignal.any([signal, AbortSignal.timeout(MOST_MS)])', 'AbortSignal.timeout(MOST_MS)'],
@@ -265,6 +284,22 @@ for (const [name, check] of Object.entries(CHECKS)) {
     });
   }
 }
+
+test('a folder from which nothing can be removed keeps no service from starting', async () => {
+  const store = folder();
+  mkdirSync(path.join(store, `${'0'.repeat(64)}.result`));
+  writeFileSync(path.join(store, `${'1'.repeat(64)}.result`), Buffer.alloc(2000));
+  assert.equal((await withService(listen, { store, storeBytes: 1 }, ({ ask }) => ask(SHOT))).status, 200);
+});
+
+test('refused: a folder that may not be read', async (t) => {
+  const store = folder();
+  chmodSync(root, 0o711);
+  chmodSync(store, 0);
+  if (process.getuid() === 0) process.seteuid(65534);
+  t.after(() => process.getuid() === 0 && process.seteuid(0));
+  await assert.rejects(ResultFolder.open(store, 1e6), { code: 'E_OPTION', message: /^options\.store: the folder cannot be read \(EACCES\)$/ });
+});
 
 for (const [store, message] of [
   ['', /^options\.store: expected a folder, or \{get, put\}/],
