@@ -52,3 +52,12 @@ test('a detail that fills its page in a scale of its own leaves its heading ther
   const [, page] = pages.map(({ words }) => words.map(({ text }) => text));
   for (const word of ['Details', 'd0', 'first']) assert.ok(page.includes(word), `${word} on the page of the heading`);
 });
+
+test('names of colours that wrap go on to a next page, and none is lost', async () => {
+  const long = 'Pantone classic blue with a long name of its own '.repeat(2).slice(0, 80).trim();
+  const swatches = Array.from({ length: 6 }, (_, i) => ({ part: long, name: `${long} first${i}`, code: `${long} last${i}`, color: 'blue' }));
+  const colourways = Array.from({ length: 3 }, (_, i) => ({ name: `C${i}`, swatches }));
+  const { files } = await createSheet(model, { colourways }, { renderer, shot: CHEAP });
+  const marks = swatches.flatMap((_, i) => [`first${i}`, `last${i}`]);
+  assert.deepEqual(wordFaults(wordsOf(files[0]), marks), []);
+});
