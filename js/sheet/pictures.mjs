@@ -1,7 +1,10 @@
 import { createHash } from 'node:crypto';
 import { TelarError } from '../error/index.mjs';
 import { ofView } from './shown.mjs';
+import { GHOSTS_MAX } from '../shot/table/parts.mjs';
 import { INCH, basisOf, trueView } from './scale.mjs';
+import { middlePixel } from './seen_part.mjs';
+import { floatsOf } from './squares.mjs';
 
 /**
  * What a view shows.
@@ -24,6 +27,9 @@ const MARGIN = 1.5;
 /** Resolution of a mask of the garment: a third of a millimetre. */
 const MASK_PPI = 76.2;
 
+/** How far off the edge of what a view shows of a part a line ends, where there is room: millimetres of paper. */
+const CLEAR = 3;
+
 const WHITE = '#ffffff';
 
 /** Widths of the lines of flats on paper, millimetres: the series of ISO 128-2:2020 one step beneath that of Model.flat, for A4. */
@@ -40,6 +46,7 @@ export class Pictures {
   #asked = new Map();
   #flats = new Map();
   #squares = new Map();
+  #depths = new Map();
 
   /**
    * @param {object} renderer
@@ -125,6 +132,41 @@ export class Pictures {
       return px >= 0 && py >= 0 && px < info.width && py < info.height && data[4 * (py * info.width + px) + 3] > 0;
     };
     return { covers };
+  }
+
+  /**
+   * Where a view shows the middle of a part, drawn at once: what is hidden behind other parts does not count.
+   * @param {import('./scale.mjs').Extent} extent
+   * @param {Seen & {ratio: number}} how
+   * @param {{node: number | string} | {material: number | string}} part
+   * @returns {Promise<import('./scale.mjs').Vec3 | undefined>} undefined where nothing of it is seen
+   */
+  async middleOf(extent, how, part) {
+    if (how.ghost.length >= GHOSTS_MAX) return undefined;
+    const view = trueView(extent, { ratio: how.ratio, ppi: MASK_PPI, margin: MARGIN, depth: depthOf(how.model.facts.bounds) });
+    const key = `${how.index} ${how.ratio}`;
+    if (!this.#depths.has(key)) this.#depths.set(key, await this.#depthsOf(view, how));
+    // The part is what is farther, or gone, without it.
+    const [whole, without] = [this.#depths.get(key), await this.#depthsOf(view, { ...how, ghost: [...how.ghost, { ...part, opacity: 0 }] })];
+    const perMillimetre = view.size.width / view.paper.width;
+    const pixel = middlePixel(
+      whole.map((depth, i) => depth !== without[i]),
+      view.size,
+      Math.round(CLEAR * perMillimetre),
+    );
+    return pixel && view.pointAt(pixel.map((at) => (at + 0.5) / perMillimetre));
+  }
+
+  async #depthsOf({ size, camera }, { model, variant, ghost, index }) {
+    const output = { format: 'raw', layers: { format: 'raw' } };
+    // Without the part there may be nothing that says how deep to look: twice as far as to the middle there is none of the model.
+    const depth = depthOf(model.facts.bounds);
+    const range = { near: depth / 4, far: 2 * depth };
+    const shot = { quality: 'draft', environment: 'none', size, camera: { ...camera, ...range }, variant, ghost, layers: ['depth'], output };
+    const { layers } = await this.#renderer.render(model, shot, this.#options.call).catch((thrown) => {
+      throw ofView(thrown, index);
+    });
+    return floatsOf(layers.depth);
   }
 
   /**

@@ -17,8 +17,8 @@ function middleOf({ bounds, outline }, { right, up, back }) {
   return [0, 1, 2].map((i) => across * right[i] + high * up[i] + near * back[i]);
 }
 
-/** A point of a part that can be seen: of its surface the one nearest to its middle, on the side of the viewer. */
-async function visiblePoint(part, { kind, which, basis, variant, model, call }) {
+/** Of the surface of a part the point that is nearest to its middle, on the side of the viewer. */
+async function nearestPoint(part, { kind, which, basis, variant, model, call }) {
   const middle = middleOf(part, basis);
   try {
     const { points } = await model.measure({ points: [middle, middle], part: { [kind]: which }, variant, ...call });
@@ -33,25 +33,28 @@ async function visiblePoint(part, { kind, which, basis, variant, model, call }) 
 /**
  * The point of the model that an item of the spec means.
  * @param {object} item with one of `point`, `node`, `material`, `picture`
- * @param {{pointer: (string | number)[], extent: import('./scale.mjs').Extent,
+ * @param {{pointer: (string | number)[], basis: import('./scale.mjs').Basis,
  *   picture: import('./scale.mjs').TrueView, variant: string,
- *   renderer: object, model: object, call: object}} context
+ *   middleOf: (part: object) => Promise<import('./scale.mjs').Vec3 | undefined>,
+ *   renderer: object, model: object, call: object}} context middleOf: of Pictures
  * @returns {Promise<import('./scale.mjs').Vec3>}
  * @throws {TelarError} E_SPEC
  */
-export async function pointOf(item, { pointer, extent, picture, variant, renderer, model, call }) {
+export async function pointOf(item, { pointer, basis, picture, variant, middleOf, renderer, model, call }) {
   if (item.point) return item.point;
-  const { basis, centre } = extent;
   if (item.picture) {
     const [x, y] = item.picture;
     // With the white around the garment, which is as wide on paper in every scale.
-    const [width, height] = [picture.paper.width, picture.paper.height].map((side) => (side * picture.ratio) / 1000);
-    return centre.map((c, i) => c + (x - 0.5) * width * basis.right[i] + (0.5 - y) * height * basis.up[i]);
+    return picture.pointAt([x * picture.paper.width, y * picture.paper.height]);
   }
   const kind = item.node !== undefined ? 'node' : 'material';
   const shot = { camera: { frame: { [kind]: item[kind] } }, variant };
   const { part } = await renderer.factsOf(model, shot, call);
-  if (part?.bounds) return visiblePoint(part, { kind, which: item[kind], basis, variant, model, call });
+  if (part?.bounds) {
+    const seen = await middleOf({ [kind]: item[kind] });
+    // What is hidden, translucent, or too small for a pixel is where it would be seen.
+    return seen ?? nearestPoint(part, { kind, which: item[kind], basis, variant, model, call });
+  }
   const names = part?.names?.slice(0, 8).join(', ') || 'none has a name';
   const at = [...pointer, kind];
   throw new TelarError(ABOUT.code, `${pathText(at, ABOUT)}: the model draws no ${kind} ${JSON.stringify(item[kind])}; it has ${names}`, {

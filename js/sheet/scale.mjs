@@ -63,6 +63,7 @@ export function fittingRatio(extents, box) {
  * @property {number} metresPerPixel
  * @property {{width: number, height: number}} paper - Millimetres that the picture takes.
  * @property {(point: Vec3) => [number, number]} paperOf - Where a point of the model is, millimetres of paper from the top left corner.
+ * @property {(place: [number, number]) => Vec3} pointAt - The point there, as deep as the centre.
  * @property {number} ratio
  */
 export function trueView({ basis, centre, width, height }, { ratio, ppi: wanted, margin = 0, depth = 10 }) {
@@ -84,5 +85,9 @@ export function trueView({ basis, centre, width, height }, { ratio, ppi: wanted,
     const from = subtract(point, centre);
     return [paper.width / 2 + (1000 * dot(from, basis.right)) / ratio, paper.height / 2 - (1000 * dot(from, basis.up)) / ratio];
   };
-  return { size, camera, metresPerPixel, paper, paperOf, ratio };
+  const pointAt = ([x, y]) => {
+    const [across, upwards] = [((x - paper.width / 2) * ratio) / 1000, ((paper.height / 2 - y) * ratio) / 1000];
+    return centre.map((c, i) => c + across * basis.right[i] + upwards * basis.up[i]);
+  };
+  return { size, camera, metresPerPixel, paper, paperOf, pointAt, ratio };
 }

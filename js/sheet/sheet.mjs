@@ -128,7 +128,16 @@ export async function layOut(source, given, settings) {
     layout.squares = new Squares({ model, renderer, call, list: await colourListOf(spec, { resolve, fonts }) });
     layout.colours = [];
     layout.pointOf = (item, view, { pointer, picture }) =>
-      pointOf(item, { pointer, picture, extent: layout.extent(view), variant: view.variant, renderer, model: layout.seen(view).model, call });
+      pointOf(item, {
+        pointer,
+        picture,
+        basis: layout.extent(view).basis,
+        variant: view.variant,
+        middleOf: (part) => pictures.middleOf(layout.extent(view), { ratio: picture.ratio, ...layout.seen(view) }, part),
+        renderer,
+        model: layout.seen(view).model,
+        call,
+      });
     const warn = (...told) => layout.warn(...told);
     layout.lengthOf = (measure, id) => {
       const { variant } = spec.views.find(({ name }) => name === measure.view);

@@ -27,7 +27,7 @@ export const ALBEDO = Object.freeze({
 });
 
 /** Layers as they come: bytes of floats that may begin anywhere. */
-const floatsOf = (bytes) => new Float32Array(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength));
+export const floatsOf = (bytes) => new Float32Array(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength));
 
 /**
  * Mean of a picture by coverage.

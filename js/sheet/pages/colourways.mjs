@@ -14,6 +14,9 @@ const BETWEEN = 2;
 /** Beneath the pictures: the rule with the name, and each row of colours. */
 const NAME = 14;
 const CHIP = { width: 42, height: 8.8 };
+/** Of a colour: its square, and the white between columns, and between rows. */
+const SQUARE = { width: 9, height: 7 };
+const CHIP_GAP = { column: 2.4, row: 1.6 };
 /** Most colours that are kept on one page. */
 const LONG = 6;
 /** White around a picture, and its rounding up to pixels. */
@@ -45,6 +48,16 @@ export function arrangementOf({ count, chips, extents, box }) {
       }
     }
   return ways.reduce((best, way) => (way.ratio < best.ratio || (way.ratio === best.ratio && best.isStacked && !way.isStacked) ? way : best));
+}
+
+/** How high the colours beneath a colourway are, at most: their names, and parts and codes under them, wrap. */
+function chipsHeight(layout, chips, width) {
+  const count = chipColumns(width);
+  const room = (width - count * SQUARE.width - (2 * count - 1) * CHIP_GAP.column) / count;
+  const texts = chips.flatMap(({ name, part, code }) => [name || part, `${name ? part : ''} ${code}`]);
+  const heights = layout.measure(texts.map((text) => ({ kind: 'note', text, value: '', width: room }))).map(([, height]) => height);
+  const high = chips.map((_, i) => Math.max(SQUARE.height, heights[2 * i] + heights[2 * i + 1]) + CHIP_GAP.row);
+  return high.reduce((sum, _, i) => (i % count === 0 ? sum + Math.max(...high.slice(i, i + count)) : sum), 0);
 }
 
 /** The views of the first page, those that show colours before flats. */
@@ -79,6 +92,9 @@ export async function colourwayPages(layout) {
     extents,
     box: page.box,
   });
+  const onPaper = (key) => extents.map((extent) => (1000 * extent[key]) / ratio + WHITE);
+  const picturesHeight = isStacked ? onPaper('height').reduce((sum, height) => sum + height + BETWEEN) : Math.max(...onPaper('height'));
+  const isHigh = (list) => picturesHeight + NAME + chipsHeight(layout, list, width) > page.box.height - HEADING;
   return [
     {
       kind: 'colourways',
@@ -92,7 +108,8 @@ export async function colourwayPages(layout) {
       cells: spec.colourways.map(({ name, code, variant }, i) => ({
         name,
         code: code ?? '',
-        long: isLong(chips[i]),
+        // Names that wrap may leave no room beneath the pictures: colours go on to a next page.
+        long: isLong(chips[i]) || isHigh(chips[i]),
         changed: layout.isChanged('colourways', i),
         pictures: views.map((view, k) => {
           const { file, width: wide, height } = pictures.ask(extents[k], { ratio, ...layout.seen(view), variant });

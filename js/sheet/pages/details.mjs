@@ -170,16 +170,19 @@ export async function detailPages(layout) {
     const cells = [];
     for (const detail of own) cells.push(await cellOf(layout, view, detail, { most, whole, parent }));
     const widest = Math.max(...cells.map(({ picture }) => picture.width));
-    const columns = Math.max(1, Math.floor((room + GAP) / (widest + GAP)));
+    const columns = Math.min(cells.length, Math.max(1, Math.floor((room + GAP) / (widest + GAP))));
+    const column = (room - GAP * (columns - 1)) / columns;
+    // In a scale of its own a detail may leave its text no room: that goes on to a next page.
+    const isHigh = ({ picture, text }) => picture.height + TITLE + textHeight(layout, [{ text }], column) > page.box.height - HEADING;
     sections.push({
       kind: 'details',
       break: true,
       title: words('details'),
       note: layout.titleOf(view),
       gap: GAP,
-      columns: Math.min(columns, cells.length),
+      columns,
       figure: markedOf(layout, view, cells, { width, parent }),
-      cells: cells.map(({ centre, size, ...cell }) => cell),
+      cells: cells.map(({ centre, size, ...cell }) => ({ ...cell, long: cell.long || isHigh(cell) })),
     });
   }
   return sections;

@@ -22,7 +22,7 @@ const labText = (lab) =>
 const nearText = ({ name, difference }) => `${name}  ΔE\u2080\u2080 ${difference.toFixed(1)}`;
 
 async function cellOf(layout, swatch, i) {
-  const { words, pictures, squares } = layout;
+  const { words, pictures, squares, page } = layout;
   const path = ['swatches', i];
   const ratio = swatch.scale === 'fit' ? 1 : ratioOf(swatch.scale);
   const flat = await squares.model(swatch, path);
@@ -39,16 +39,20 @@ async function cellOf(layout, swatch, i) {
     ['CIE Lab D65', labText(colour.labD65)],
     ...colour.nearest.map((near, k) => [k === 0 ? words('nearest') : '', nearText(near)]),
   ];
+  const [beside, widest] = [shown.reduce((sum, { width }) => sum + width + BETWEEN, -BETWEEN), Math.max(...shown.map(({ width }) => width))];
+  // Upright paper has no room for two whole squares beside each other.
+  const isStacked = beside > page.box.width;
   return {
     title: swatch.title,
     note: layout.scaleNote(ratio),
     text: swatch.text ?? '',
-    long: isLong(swatch.text),
+    long: isLong(swatch.text) || isStacked,
+    isStacked,
     changed: layout.isChanged('swatches', i),
     pictures: shown,
     colour: colour.srgb,
     facts,
-    width: shown.reduce((sum, { width }) => sum + width + BETWEEN, -BETWEEN),
+    width: isStacked ? widest : beside,
   };
 }
 

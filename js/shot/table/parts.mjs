@@ -12,7 +12,8 @@ const PART = '{node} or {material}';
 export const garmentPart = (doc, rest = {}) => union(doc, [object('', { node }, { expected: PART }), object('', { material }, { expected: PART })], PART, rest);
 
 const GHOST = '{node, opacity} or {material, opacity}';
-const GHOSTS_MAX = 64;
+/** Most ghosts of a shot. */
+export const GHOSTS_MAX = 64;
 const opacity = number('Factor on its alpha; 0 = left out', { unit: 'part', min: 0, max: 1, default: 0.25 });
 
 /** Parts that are seen through. */
