@@ -13,21 +13,29 @@ import { Work } from './work.mjs';
 import { shotJson } from './shot_json.mjs';
 import { readShot, readSource } from './source.mjs';
 import { Model, SharedModels, loadModel, measuredFor, shownModel, goalModule, meteringModule, qualityModule, shotModule } from './model.mjs';
-import { ASSET_DIRECTORY, loadNative } from './native.mjs';
+import { loadNative } from './native.mjs';
+import { openingRequest } from './opening.mjs';
 import { calibrationOf } from './calibration.mjs';
 import { versions } from './versions.mjs';
 
 /** Frames on their way at once: one is drawn while others load or are encoded. More would only hold memory. */
 const FRAMES_IN_FLIGHT = 4;
 
-/** Frames and small requests in the GL thread's own queue. */
-const MAX_QUEUED = 64;
-
 /** Of a picture in the format raw with 32 bits a channel; a copy, as its bytes need not lie on a boundary of 4. */
 const floatsOf = (data) => new Float32Array(data.buffer.slice(data.byteOffset, data.byteOffset + data.byteLength));
 
 /** Whether the shot is exposed by its picture: a flat has no light, and a quantity no exposure. */
 const isMetered = ({ metering, style }, quantity) => metering !== null && style !== 'flat' && !quantity;
+
+/** What one picture will be drawn of, on its way: render() takes it in place of a source, once. */
+class BegunLoad {
+  constructor(model, work) {
+    this.model = model;
+    this.work = work;
+    // The picture tells what is wrong.
+    model.catch(() => {});
+  }
+}
 
 /** js/api/renderer.d.ts documents the public methods. */
 class Renderer {
@@ -56,6 +64,13 @@ class Renderer {
     this.#gate = new Gate(FRAMES_IN_FLIGHT, maxWaiting);
   }
 
+  /** Begins to load a source while its shot is still being read. @returns {BegunLoad} @internal */
+  beginLoad(source, { signal } = {}) {
+    const work = this.#begin(signal, this.#loading);
+    const input = readSource(this.#native, source, this.#maxBytes);
+    return new BegunLoad(this.#track(this.#load(input, { ...this.#loading, decodesLater: true }, work)), work);
+  }
+
   /** Resolves when the GL is open, rejects where it does not open. @internal */
   static async opened(renderer) {
     await renderer.#handle;
@@ -77,9 +92,10 @@ class Renderer {
     this.#assertOpen();
     const { signal, onProgress, onPreview, enough, reached, ...loading } = growingOptions(options, this.#loading);
     const request = { ...this.#readRequest(source, shot), loading, enough, reached };
-    if (!onProgress && !onPreview) return this.#track(this.#gate.run(() => this.#render(request, this.#begin(signal, loading)), signal));
+    const begin = (scope) => request.begun?.work.under(this.#native, scope) ?? this.#begin(scope, loading);
+    if (!onProgress && !onPreview) return this.#track(this.#gate.run(() => this.#render(request, begin(signal)), signal));
     return this.#track(
-      inScope(signal, { onProgress, onPreview }, 1, (scope, report) => this.#gate.run(() => this.#render(request, this.#begin(scope, loading), report), scope)),
+      inScope(signal, { onProgress, onPreview }, 1, (scope, report) => this.#gate.run(() => this.#render(request, begin(scope), report), scope)),
     );
   }
 
@@ -165,6 +181,7 @@ class Renderer {
   }
 
   #readInput(source) {
+    if (source instanceof BegunLoad) return { begun: source };
     return Model.isModel(source) ? { model: source } : { input: readSource(this.#native, source, this.#maxBytes) };
   }
 
@@ -217,12 +234,12 @@ class Renderer {
     return this.#track(nativeCall(this.#native, undefined, async () => (await this.#handle).release(Model.sceneOf(model), forget)));
   }
 
-  async #render({ input, model: given, loading, ...request }, work, report) {
+  async #render({ input, begun, model: given, loading, ...request }, work, report) {
     const { shot, shared } = request;
     const start = performance.now();
     // What is asked for tells: a goal may come to settings of one pass.
     if (await isLongShot(shot)) work.allowLong();
-    const model = given ?? (await this.#load(input, { ...loading, decodesLater: true }, work));
+    const model = given ?? (await (begun?.model ?? this.#load(input, { ...loading, decodesLater: true }, work)));
     const loaded = performance.now();
     const shown = await (shared ? shared.of(shot) : shownModel(this.#native, model, shot, { work, forget: !given, cloths: this.#cloths }));
     const times = { start, load: loaded - start, pose: performance.now() - loaded };
@@ -358,28 +375,23 @@ export async function createRendererOn(native, options = {}) {
 /**
  * A renderer whose GL is not open yet: models are loaded beside that; pictures wait for it, and fail where it does not open.
  * @internal
+ * @param {object} [options] of createRenderer
+ * @param {import('./opening.mjs').EarlyGl} [earlyGl] is taken where it is what these ask for
+ * @param {object} [native] the addon's exports
  * @returns {{renderer: Renderer, opened: Promise<void>}} opened: rejects where createRenderer() would
  * @throws {TelarError} X_NATIVE_MISSING, E_OPTION
  */
-export function beginRenderer(options = {}) {
-  const renderer = begunRenderer(loadNative(), options);
+export function beginRenderer(options = {}, earlyGl = undefined, native = loadNative()) {
+  const renderer = begunRenderer(native, options, earlyGl);
   return { renderer, opened: Renderer.opened(renderer) };
 }
 
-function begunRenderer(native, options) {
+function begunRenderer(native, options, earlyGl) {
   const { signal, ...rest } = rendererOptions(options, Object.keys(native.limits));
-  const request = {
-    backend: rest.backend,
-    assetDirectory: ASSET_DIRECTORY,
-    cacheDirectory: rest.cacheDirectory,
-    cacheBytes: rest.cacheBytes,
-    limits: rest.limits,
-    allFeatures: rest.allFeatures,
-    maxQueued: MAX_QUEUED,
-  };
+  const request = openingRequest(rest);
   const closeLate = ({ renderer }) => void renderer.close();
   // Beside the context, so that the first frame need not wait for it. A failure is the first frame's to report.
   shotModule().catch(() => {});
-  const opening = nativeCall(native, { signal }, (token) => native.createRenderer(request, token), closeLate);
+  const opening = nativeCall(native, { signal }, (token) => earlyGl?.take(request) ?? native.createRenderer(request, token), closeLate);
   return new Renderer(native, opening, rest);
 }

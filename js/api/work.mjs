@@ -7,17 +7,23 @@ export const TIMEOUT_MS = 20_000;
  * @internal
  */
 export class Work {
-  #bounded;
+  #timeoutMs;
 
   /**
    * @param {object} native the addon's exports
    * @param {AbortSignal | undefined} signal
    * @param {number | null} [timeoutMs] null = any time; by default TIMEOUT_MS, until allowLong()
+   * @param {object} [token] of other work, whose time this goes on with
    */
-  constructor(native, signal, timeoutMs) {
+  constructor(native, signal, timeoutMs, token = new native.CancelToken((timeoutMs === undefined ? TIMEOUT_MS : timeoutMs) ?? undefined)) {
     this.signal = signal;
-    this.#bounded = timeoutMs !== undefined;
-    this.token = new native.CancelToken((timeoutMs === undefined ? TIMEOUT_MS : timeoutMs) ?? undefined);
+    this.#timeoutMs = timeoutMs;
+    this.token = token;
+  }
+
+  /** The same work under another signal. @returns {Work} */
+  under(native, signal) {
+    return new Work(native, signal, this.#timeoutMs, this.token);
   }
 
   /** Work for the same caller in the same time, whose progress is its own. @returns {{signal?: AbortSignal, token: object}} */
@@ -27,6 +33,6 @@ export class Work {
 
   /** What follows is known to be long: it may take any time, unless the caller gave a bound. */
   allowLong() {
-    if (!this.#bounded) this.token.allowAnyTime();
+    if (this.#timeoutMs === undefined) this.token.allowAnyTime();
   }
 }

@@ -52,6 +52,7 @@ export class Drawing {
    * @param {(bytes: Uint8Array) => Promise<void>} context.toStdout
    * @param {(source: string | Uint8Array, shot: object) => Promise<string>} context.keyOf
    * @param {number} [context.atOnce] pictures that the renderer draws at once, where it is a pool
+   * @param {{source: string, load: object}} [context.ahead] a source that is being loaded already, and what the renderer takes for it
    * @param {boolean} [context.reached] what goals of error came to is measured
    * @param {number} [context.explode] metres by which parts are moved apart
    * @param {import('./unchanged.mjs').KnownPictures} [context.known] to leave out what has not changed
@@ -115,11 +116,12 @@ export class Drawing {
   }
 
   async #draw(index, source) {
-    const { jobs, outputs, renderer, known, signal, progress, toStdout, reached } = this.#context;
+    const { jobs, outputs, renderer, known, signal, progress, toStdout, reached, ahead } = this.#context;
+    const given = ahead?.source === source ? ahead.load : source;
     const { file } = outputs[index];
     const onProgress = progress.reach && ((part) => progress.reach(index, part));
     try {
-      const { data, layers = {}, info } = await renderer.render(source, jobs[index].shot, { signal, onProgress, ...(reached && { reached }) });
+      const { data, layers = {}, info } = await renderer.render(given, jobs[index].shot, { signal, onProgress, ...(reached && { reached }) });
       if (file === '-') await toStdout(data);
       else await writeFileAtomically(file, data, signal);
       known?.add(file, info.key, data);

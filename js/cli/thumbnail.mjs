@@ -34,12 +34,13 @@ export async function thumbnail(models, options, context) {
   const unwanted = new AbortController();
   const signal = anyOf(context.signal, unwanted.signal);
   const how = { backend: options.backend, limits, failOn: options.failOn, ...visibilityOf(options), timeoutMs, signal };
-  // Node starts its threads for files with the first use of one. Who starts a thread waits while libraries load, as the GL's do: files are looked at before.
-  const found = options.manifest === undefined ? findModels(models, options) : undefined;
-  found?.catch(() => {});
-  // The GL of this process opens beside what is read, checked and loaded. What that finds is told first. Other processes are started after it.
+  const found = options.manifest === undefined ? await findModels(models, options) : [];
+  // The GL of this process opens, and a single model is loaded, beside what is read and checked. What that finds is told first. Other processes are started
+  // after it.
   const begun = options.jobs === undefined ? context.api.beginRenderer(how) : undefined;
   begun?.opened.catch(() => unwanted.abort());
+  const [{ model: source } = {}] = found;
+  const ahead = begun && hasOnePicture(found, options) ? { source, load: begun.renderer.beginLoad(source, { signal }) } : undefined;
   const plan = await planned(found, options, limits, context).catch((error) => {
     unwanted.abort();
     // One that has opened already.
@@ -52,7 +53,7 @@ export async function thumbnail(models, options, context) {
       await opened;
       return await writeAnimation({ jobs: plan.jobs, options, renderer }, context);
     }
-    const [gl, drawn] = await Promise.allSettled([opened, drawAll({ ...plan, options, renderer, limits }, { ...context, signal })]);
+    const [gl, drawn] = await Promise.allSettled([opened, drawAll({ ...plan, ahead, options, renderer, limits }, { ...context, signal })]);
     // A GL that does not open fails every picture: it is told once.
     for (const { reason } of [gl, drawn]) if (reason) throw reason;
     const results = drawn.value;
@@ -102,6 +103,10 @@ const writtenBy = (jobs, outputs, { contactSheet }) => [
 
 const anyOf = (...signals) => AbortSignal.any(signals.filter(Boolean));
 
+/** Whether a single file is drawn, once, and whatever is there. */
+const hasOnePicture = (found, { views, variants, turntable, explode, skipUnchanged }) =>
+  found.length === 1 && found[0].model !== '-' && [views, variants, turntable, explode, skipUnchanged].every((option) => option === undefined);
+
 /** How the models are loaded, and their keys made. */
 const visibilityOf = ({ ambientVisibility }) => ambientVisibility && { ambientVisibility };
 
@@ -135,7 +140,7 @@ async function readEntries(found, options, shot, limits, context) {
     return lines.map((line) => ({ ...line, source: line.model, shot: { ...shot, ...line.shot } }));
   }
   return Promise.all(
-    (await found).map(async ({ model, folder }) => {
+    found.map(async ({ model, folder }) => {
       const source = await readModel(model, limits, context);
       return { model, folder, source, shot };
     }),
@@ -158,7 +163,7 @@ function mayBeTraced({ quality }) {
   return preset === 'reference' || preset === 'high' || isGoal(preset ?? {});
 }
 
-async function drawAll({ jobs, outputs, options, renderer, limits }, { api, console, signal }) {
+async function drawAll({ jobs, outputs, ahead, options, renderer, limits }, { api, console, signal }) {
   const gradual = jobs.some(({ shot }) => mayBeTraced(shot));
   const progress = await console.progress(jobs.length, { gradual });
   const known = options.skipUnchanged ? new KnownPictures(options.failOn) : undefined;
@@ -168,7 +173,7 @@ async function drawAll({ jobs, outputs, options, renderer, limits }, { api, cons
     const atOnce = renderer.workers?.length;
     const { reached } = options;
     const how = { explode, atOnce, reached, known, keyOf, progress, signal, toStdout: (bytes) => console.bytes(bytes) };
-    return await new Drawing({ jobs, outputs, renderer, ...how }).run();
+    return await new Drawing({ jobs, outputs, ahead, renderer, ...how }).run();
   } finally {
     progress.stop();
     await known?.save();

@@ -64,7 +64,11 @@ const TYPES = {
     const type = z.array(inner(of), { error }).check(...atMost(max, error));
     return length === undefined ? type : type.check(z.length(length, { error }));
   },
-  union: ({ options, expected: error }) => z.union(options.map(zodOf), { error }),
+  union: ({ options, expected: error }) =>
+    z.union(
+      options.map((row) => (row.kind === 'object' ? inner(row) : zodOf(row))),
+      { error },
+    ),
   variants: ({ by, of, expected }) =>
     z.discriminatedUnion(by, Object.values(of).map(zodOf), {
       error: ({ code }) => (code === 'invalid_union' ? expected : 'an object'),

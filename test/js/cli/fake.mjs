@@ -92,9 +92,12 @@ export function fakeApi({ delayMs = 0, told = 0.5 } = {}) {
   return { api, pool, calls };
 }
 
-/** A renderer whose methods wait until it is open. */
+/** A renderer whose methods wait until it is open. What is loaded ahead stays its source. */
 const begun = (opening) => ({
-  renderer: new Proxy({}, { get: (_, name) => (name === 'workers' ? undefined : async (...args) => (await opening)[name](...args)) }),
+  renderer: new Proxy(
+    { workers: undefined, beginLoad: (source) => source },
+    { get: (own, name) => (name in own ? own[name] : async (...args) => (await opening)[name](...args)) },
+  ),
   opened: opening.then(() => {}),
 });
 
