@@ -2,10 +2,10 @@
 
 namespace telar::addon {
 
-/// A frame takes some 60 MB of the heap of the thread that draws it, and gives them back. Left to itself, glibc maps each
-/// large block anew and unmaps it, and lets the heap of a thread grow page by page: some 2,000 faults a frame, and 10,000
-/// more for the first one. To be called once by a thread that will draw, before all else: it takes as much, so that what
-/// is freed stays, and asks for large pages. Where memory is short, all is as before.
+/// Grows the heap of the calling thread by 62 MiB at once and asks for large pages there. To be called by a thread that
+/// draws, before all else: a frame takes about as much and frees it. Without it, glibc maps and unmaps large blocks, and
+/// grows the heap of a thread page by page: 2,000 page faults a frame, and 10,000 more for the first one. Where memory is
+/// short, nothing changes.
 void growHeapOfThread();
 
 }  // namespace telar::addon

@@ -2,7 +2,7 @@ import { stat } from 'node:fs';
 import { ASSET_DIRECTORY, loadNative } from './native.mjs';
 import { rendererOptions } from './options.mjs';
 
-/** How a GL is opened: what the addon is asked for, and a GL that opens before anybody asks. */
+/** How a GL is opened, and what a command begins before it knows all that it is asked for. */
 
 /** Frames and small requests in the GL thread's own queue. */
 const MAX_QUEUED = 64;
@@ -52,5 +52,16 @@ export class EarlyGl {
   async close() {
     const opened = await this.#opening?.catch(() => undefined);
     await opened?.renderer.close();
+  }
+}
+
+/** What one picture will be drawn of, on its way: render() takes it in place of a source, once. */
+export class BegunLoad {
+  constructor(model, work) {
+    this.start = performance.now();
+    this.model = model;
+    this.work = work;
+    // The picture tells what is wrong.
+    model.catch(() => {});
   }
 }

@@ -14,7 +14,7 @@ import { shotJson } from './shot_json.mjs';
 import { readShot, readSource } from './source.mjs';
 import { Model, SharedModels, loadModel, measuredFor, shownModel, goalModule, meteringModule, qualityModule, shotModule } from './model.mjs';
 import { loadNative } from './native.mjs';
-import { openingRequest } from './opening.mjs';
+import { BegunLoad, openingRequest } from './opening.mjs';
 import { calibrationOf } from './calibration.mjs';
 import { versions } from './versions.mjs';
 
@@ -26,16 +26,6 @@ const floatsOf = (data) => new Float32Array(data.buffer.slice(data.byteOffset, d
 
 /** Whether the shot is exposed by its picture: a flat has no light, and a quantity no exposure. */
 const isMetered = ({ metering, style }, quantity) => metering !== null && style !== 'flat' && !quantity;
-
-/** What one picture will be drawn of, on its way: render() takes it in place of a source, once. */
-class BegunLoad {
-  constructor(model, work) {
-    this.model = model;
-    this.work = work;
-    // The picture tells what is wrong.
-    model.catch(() => {});
-  }
-}
 
 /** js/api/renderer.d.ts documents the public methods. */
 class Renderer {
@@ -64,11 +54,12 @@ class Renderer {
     this.#gate = new Gate(FRAMES_IN_FLIGHT, maxWaiting);
   }
 
-  /** Begins to load a source while its shot is still being read. @returns {BegunLoad} @internal */
-  beginLoad(source, { signal } = {}) {
-    const work = this.#begin(signal, this.#loading);
-    const input = readSource(this.#native, source, this.#maxBytes);
-    return new BegunLoad(this.#track(this.#load(input, { ...this.#loading, decodesLater: true }, work)), work);
+  /** @internal */
+  static beginLoad(renderer, source, signal) {
+    const loading = renderer.#loading;
+    const work = renderer.#begin(signal, loading);
+    const input = readSource(renderer.#native, source, renderer.#maxBytes);
+    return new BegunLoad(renderer.#track(renderer.#load(input, { ...loading, decodesLater: true }, work)), work);
   }
 
   /** Resolves when the GL is open, rejects where it does not open. @internal */
@@ -236,7 +227,7 @@ class Renderer {
 
   async #render({ input, begun, model: given, loading, ...request }, work, report) {
     const { shot, shared } = request;
-    const start = performance.now();
+    const start = begun?.start ?? performance.now();
     // What is asked for tells: a goal may come to settings of one pass.
     if (await isLongShot(shot)) work.allowLong();
     const model = given ?? (await (begun?.model ?? this.#load(input, { ...loading, decodesLater: true }, work)));
@@ -378,12 +369,13 @@ export async function createRendererOn(native, options = {}) {
  * @param {object} [options] of createRenderer
  * @param {import('./opening.mjs').EarlyGl} [earlyGl] is taken where it is what these ask for
  * @param {object} [native] the addon's exports
- * @returns {{renderer: Renderer, opened: Promise<void>}} opened: rejects where createRenderer() would
+ * @returns {{renderer: Renderer, opened: Promise<void>, beginLoad: (source: string, signal?: AbortSignal) => object}} opened: rejects where createRenderer()
+ *   would; beginLoad: loads a source while its shot is still being read, for one call of render(), which takes what it gives in place of the source
  * @throws {TelarError} X_NATIVE_MISSING, E_OPTION
  */
 export function beginRenderer(options = {}, earlyGl = undefined, native = loadNative()) {
   const renderer = begunRenderer(native, options, earlyGl);
-  return { renderer, opened: Renderer.opened(renderer) };
+  return { renderer, opened: Renderer.opened(renderer), beginLoad: (source, signal) => Renderer.beginLoad(renderer, source, signal) };
 }
 
 function begunRenderer(native, options, earlyGl) {

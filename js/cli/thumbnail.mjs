@@ -40,7 +40,7 @@ export async function thumbnail(models, options, context) {
   const begun = options.jobs === undefined ? context.api.beginRenderer(how) : undefined;
   begun?.opened.catch(() => unwanted.abort());
   const [{ model: source } = {}] = found;
-  const ahead = begun && hasOnePicture(found, options) ? { source, load: begun.renderer.beginLoad(source, { signal }) } : undefined;
+  const ahead = begun && hasOnePicture(found, options) ? { source, load: begun.beginLoad(source, signal) } : undefined;
   const plan = await planned(found, options, limits, context).catch((error) => {
     unwanted.abort();
     // One that has opened already.

@@ -53,17 +53,17 @@ test('a GL that nobody takes is closed', async () => {
 });
 
 test('a picture of what was begun to load is that of its source; what is wrong with it, the picture tells', async () => {
-  const { renderer } = beginRenderer({}, undefined, native);
+  const { renderer, beginLoad } = beginRenderer({}, undefined, native);
   const drawn = (source, options) => renderer.render(source, SHOT, options);
   const { data } = await drawn(model());
-  assert.deepEqual((await drawn(renderer.beginLoad(model()))).data, data);
-  assert.deepEqual((await drawn(renderer.beginLoad(model()), { onProgress: () => {} })).data, data);
+  assert.deepEqual((await drawn(beginLoad(model()))).data, data);
+  assert.deepEqual((await drawn(beginLoad(model()), { onProgress: () => {} })).data, data);
   const failing = model({ fail: { stage: 'load', as: 'error' } });
-  await assert.rejects(drawn(renderer.beginLoad(failing)), { code: 'L_VERTICES' });
+  await assert.rejects(drawn(beginLoad(failing)), { code: 'L_VERTICES' });
   // Nobody draws it: no rejection is left over, and close() does not wait for ever.
-  renderer.beginLoad(failing);
+  beginLoad(failing);
   const aborted = new AbortController();
-  const slow = renderer.beginLoad(model({ loadMs: 3_600_000 }), { signal: aborted.signal });
+  const slow = beginLoad(model({ loadMs: 3_600_000 }), aborted.signal);
   const picture = drawn(slow, { signal: aborted.signal });
   aborted.abort();
   await assert.rejects(picture, { name: 'AbortError' });
@@ -71,8 +71,8 @@ test('a picture of what was begun to load is that of its source; what is wrong w
 });
 
 test('loading and drawing share the time of a picture', async () => {
-  const { renderer } = beginRenderer({ timeoutMs: 150 }, undefined, native);
+  const { renderer, beginLoad } = beginRenderer({ timeoutMs: 150 }, undefined, native);
   await renderer.render(model(), SHOT);
-  await assert.rejects(renderer.render(renderer.beginLoad(model({ loadMs: 100, drawMs: 100 })), SHOT), { code: 'X_TIMEOUT' });
+  await assert.rejects(renderer.render(beginLoad(model({ loadMs: 100, drawMs: 100 })), SHOT), { code: 'X_TIMEOUT' });
   await renderer.close();
 });

@@ -94,11 +94,9 @@ export function fakeApi({ delayMs = 0, told = 0.5 } = {}) {
 
 /** A renderer whose methods wait until it is open. What is loaded ahead stays its source. */
 const begun = (opening) => ({
-  renderer: new Proxy(
-    { workers: undefined, beginLoad: (source) => source },
-    { get: (own, name) => (name in own ? own[name] : async (...args) => (await opening)[name](...args)) },
-  ),
+  renderer: new Proxy({}, { get: (_, name) => (name === 'workers' ? undefined : async (...args) => (await opening)[name](...args)) }),
   opened: opening.then(() => {}),
+  beginLoad: (source) => source,
 });
 
 const TERMINAL = { isTTY: true };
