@@ -74,13 +74,16 @@ test('a worker that hangs is ended 2 s after its time', () =>
 
 test('a worker that hangs in renderAll is ended after the time of one picture', () =>
   withPool({}, async (pool) => {
-    let stopped = false;
+    let stopped;
     const onProgress = (part) => {
-      if (part >= 0.5 && !stopped) process.kill(pool.workers[0].pid, 'SIGSTOP');
-      stopped ||= part >= 0.5;
+      if (part < 0.5 || stopped) return;
+      stopped = pool.workers[0].pid;
+      process.kill(stopped, 'SIGSTOP');
     };
     assert.equal((await errorOf(pool.renderAll(glb, [SHOT, ENDLESS], { timeoutMs: 1500, onProgress })))?.code, 'X_TIMEOUT');
     assert.ok(stopped);
+    // On a busy machine it may have answered before it was stopped, and goes on.
+    if (isAlive(stopped)) process.kill(stopped, 'SIGCONT');
   }));
 
 test('work that the worker stops by itself keeps its worker', () =>
