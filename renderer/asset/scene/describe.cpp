@@ -179,7 +179,7 @@ json describeVariants(const Scene& scene) {
   for (const Node& node : scene.nodes) {
     if (node.mesh < 0) continue;
     for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
-      const auto corners = static_cast<std::int64_t>(cornersOf(primitive));
+      const auto corners = static_cast<std::int64_t>(cornersOf(primitive) * node.places());
       if (known(primitive.material)) all[primitive.material] += corners;
       for (const auto& [variant, material] : primitive.variantMaterials) {
         if (variant < 0 || static_cast<std::size_t>(variant) >= changes.size()) continue;
