@@ -103,13 +103,13 @@ glm::dvec3 unit(const glm::dvec3& v, const glm::dvec3& fallback) {
 }
 
 /// Looks along the node's -Z; the target is the point of that ray which is nearest to the scene's centre.
-json describe(const ModelCamera& camera, const Node& node, std::size_t nodeIndex, const Bounds& bounds) {
+json describe(const ModelCamera& camera, const Node& node, const Bounds& bounds) {
   const glm::dvec3 position(node.world[3]);
   const glm::dvec3 forward = unit(-glm::dvec3(node.world[2]), {0, 0, -1});
   const double distance = glm::dot(bounds.middle() - position, forward);
   const glm::dvec3 target = position + forward * (distance > 0 ? distance : 1.0);
   json out = {{"name", camera.name.empty() ? node.name : camera.name},
-              {"node", nodeIndex},
+              {"node", node.file.node},
               {"projection", camera.perspective ? "perspective" : "orthographic"}};
   if (camera.perspective) {
     out["fovY"] = degrees(camera.fovY);
@@ -157,7 +157,7 @@ json describeCameras(const Scene& scene) {
   std::sort(placed.begin(), placed.end());
   json out = json::array();
   for (const auto& [camera, node] : placed) {
-    out.push_back(describe(scene.cameras[static_cast<std::size_t>(camera)], scene.nodes[node], node, scene.bounds));
+    out.push_back(describe(scene.cameras[static_cast<std::size_t>(camera)], scene.nodes[node], scene.bounds));
   }
   return out;
 }

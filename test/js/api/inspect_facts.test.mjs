@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { inspect } from '../../../js/index.mjs';
+import { createRenderer, inspect } from '../../../js/index.mjs';
 import { editedGlb } from '../../fixtures/edited_glb.mjs';
 import { plane } from '../../fixtures/geometry.mjs';
 import { GlbBuilder } from '../../fixtures/glb.mjs';
@@ -41,4 +41,23 @@ test('each instance counts: its triangles, its vertices, and what a variant draw
     variantMaterials[0].map((i) => materials[i].name),
     ['shell', 'red'],
   );
+});
+
+test('a camera names the node of the file, which is what a shot frames by its number', async () => {
+  const builder = new GlbBuilder();
+  builder.add(plane(0.4, 0.4), null, { name: 'panel' });
+  const bytes = editedGlb(await builder.bytes(), (json) => {
+    json.cameras = [{ type: 'perspective', perspective: { yfov: 1, znear: 0.1 } }];
+    json.nodes.push({ name: 'not in the scene' }, { mesh: 0, camera: 0, translation: [0, 3, 0], scale: [0.5, 0.5, 0.5] });
+    json.scenes[0].nodes.push(2);
+  });
+  const { cameras } = await inspect(bytes);
+  assert.deepEqual(
+    cameras.map(({ node }) => node),
+    [2],
+  );
+  const renderer = await createRenderer();
+  const { part } = await renderer.factsOf(await renderer.load(bytes), { camera: { frame: { node: cameras[0].node } } });
+  await renderer.close();
+  assert.ok(Math.abs(part.bounds.min[1] - 2.9) < 1e-6, `${part.bounds.min}`);
 });
