@@ -17,6 +17,8 @@ const ARRAY_BUFFER = 34962;
 export class GltfFile {
   #isBinary;
   #bin;
+  /** Chunks of other types, as they are. */
+  #others = [];
   #added = [];
   #addedBytes = 0;
   #buffer;
@@ -34,7 +36,8 @@ export class GltfFile {
     else {
       for (const { type, data } of chunksOf(bytes)) {
         if (type === JSON_CHUNK) this.document ??= JSON.parse(data.toString('utf8'));
-        if (type === BIN_CHUNK) this.#bin ??= data;
+        else if (type === BIN_CHUNK) this.#bin ??= data;
+        else this.#others.push(chunk(type, data, '\0'));
       }
     }
     // The file's own bytes grow where it is a GLB that has some; else the new ones are a buffer of their own.
@@ -109,7 +112,7 @@ export class GltfFile {
       buffers.push({ byteLength: added.length, uri: DATA_URI + added.toString('base64') });
     }
     const json = Buffer.from(JSON.stringify(this.document));
-    return this.#isBinary ? glbOf(json, this.#bin) : json;
+    return this.#isBinary ? glbOf(json, this.#bin, this.#others) : json;
   }
 }
 
@@ -124,8 +127,8 @@ function* chunksOf(bytes) {
   }
 }
 
-function glbOf(json, bin) {
-  const chunks = [chunk(JSON_CHUNK, json, ' '), ...(bin ? [chunk(BIN_CHUNK, bin, '\0')] : [])];
+function glbOf(json, bin, others) {
+  const chunks = [chunk(JSON_CHUNK, json, ' '), ...(bin ? [chunk(BIN_CHUNK, bin, '\0')] : []), ...others];
   const header = Buffer.alloc(HEADER_BYTES);
   header.writeUInt32LE(MAGIC, 0);
   header.writeUInt32LE(2, 4);

@@ -146,6 +146,19 @@ test('a .gltf file keeps its parts beside it and gets its bytes within', async (
   }
 });
 
+test('a GLB keeps the chunks that glTF does not name', async () => {
+  const chunk = Buffer.from('\x04\0\0\0NOTEours');
+  const noted = Buffer.concat([model, chunk]);
+  noted.writeUInt32LE(noted.length, 8);
+  const { data, info } = await bake(noted, { rays: 16, cacheDirectory: null });
+  assert.ok(data.subarray(-chunk.length).equals(chunk) && data.readUInt32LE(8) === data.length);
+  assert.deepEqual(
+    info.warnings.map(({ code }) => code),
+    ['W_GLB_CHUNK'],
+  );
+  assert.deepEqual(await readAttributes(data), await readAttributes((await bake(model, { rays: 16, cacheDirectory: null })).data));
+});
+
 test('vertices that share what an earlier bake found get their own', async () => {
   const once = await bake(model, { rays: 16, cacheDirectory: null });
   const shared = editedGlb(once.data, ({ meshes }) => {
