@@ -5,7 +5,7 @@ export { analysisPage, plotsOf } from './report.mjs';
 export { figuresOf } from './figures.mjs';
 export { percent, rankLines, ranksText, shortFigure, termLines } from './lines.mjs';
 export { LIGHTS, lightsOf } from './lights.mjs';
-export { FABRICS, fabricTargets, modelTargets, numbered } from './targets.mjs';
+export { FABRICS, fabricTargets, modelTargets, numbered, toldApart } from './targets.mjs';
 export { inWords } from './words.mjs';
 export { swapsBetween } from './swaps.mjs';
 export { bestSwaps, closestRelease, rankedSwaps } from './releases.mjs';

@@ -1,5 +1,6 @@
 import { TelarError } from '../error/index.mjs';
 import { nearest, shown } from '../shot/complain.mjs';
+import { toldApart } from './targets.mjs';
 
 /**
  * Lights to look at cloth in, as keys of a shot. Each shows other terms: broad light from all around the diffuse lobe and the
@@ -29,7 +30,7 @@ export const LIGHTS = {
  * @throws {TelarError} E_USAGE
  */
 export function lightsOf(names) {
-  return names.map((name) => {
+  const lights = names.map((name) => {
     if (Object.hasOwn(LIGHTS, name)) return { name, shot: LIGHTS[name].shot };
     if (/\.(hdr|exr)$/i.test(name)) return { name: name.replace(/^.*\//, ''), shot: { environment: name } };
     const near = nearest(name, Object.keys(LIGHTS));
@@ -38,4 +39,5 @@ export function lightsOf(names) {
       `--lights: expected ${Object.keys(LIGHTS).join(', ')} or an .hdr or .exr file, got ${shown(name)}${near ? `; did you mean ${near}?` : ''}`,
     );
   });
+  return toldApart(lights);
 }

@@ -44,11 +44,16 @@ export function numbered(names) {
   });
 }
 
+/** Models or lights, those with one name told apart by number. */
+export function toldApart(list) {
+  const names = numbered(list.map(({ name }) => name));
+  return list.map((each, i) => ({ ...each, name: names[i] }));
+}
+
 /**
  * @param {string[]} files
  * @returns {Target[]} named after their files, told apart by number where two have one name
  */
 export function modelTargets(files) {
-  const names = numbered(files.map((file) => path.basename(file).replace(/\.(glb|gltf)$/i, '')));
-  return files.map((source, i) => ({ name: names[i], source, shot: {} }));
+  return toldApart(files.map((source) => ({ name: path.basename(source).replace(/\.(glb|gltf)$/i, ''), source, shot: {} })));
 }

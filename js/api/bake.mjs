@@ -30,8 +30,9 @@ export async function bakeOn(native, source, options = {}) {
   for (const { mesh, primitive, vertices, ...sides } of baked) {
     const { attributes } = primitiveOf(file.document, mesh, primitive, vertices);
     for (const [side, name] of Object.entries(NAMES)) {
+      const earlier = attributes[name];
       delete attributes[name];
-      if (sides[side]) attributes[name] = file.addShorts(sides[side]);
+      if (sides[side]) attributes[name] = file.addShorts(sides[side], earlier);
     }
   }
   const vertices = baked.reduce((sum, item) => sum + item.vertices, 0);

@@ -3,7 +3,7 @@ import { shown } from '../shot/complain.mjs';
 
 /**
  * The gates by name: figures that must not be passed. `max` and `p999` are in 1/255. A check of a region without pixels
- * fails, as nothing was judged, unless the region is optional (opaque pictures have no edge) or the pictures are equal.
+ * fails, as nothing was judged, unless it is the edge, which opaque pictures have none of, or the pictures are equal.
  */
 export const GATES = Object.freeze({
   /** The same pixels. */
@@ -12,7 +12,7 @@ export const GATES = Object.freeze({
   parity: [
     { region: 'interior', figure: 'max', limit: 2 },
     { region: 'interior', figure: 'p999', limit: 1 },
-    { region: 'edge', figure: 'flip.mean', limit: 0.01, optional: true },
+    { region: 'edge', figure: 'flip.mean', limit: 0.01 },
   ],
   /** No difference that a person sees. */
   standard: [
@@ -79,10 +79,10 @@ export function judge(comparison, gate = DEFAULT_GATE, limits = {}) {
     throw new TelarError('E_OPTION', `gate: expected one of ${Object.keys(GATES).join(', ')}, got ${shown(gate)}`);
   }
   const isEqual = comparison.frame?.max === 0;
-  const checks = checksOf(gate, limits).map(({ region, figure, limit, optional = false }) => {
+  const checks = checksOf(gate, limits).map(({ region, figure, limit }) => {
     const figures = comparison[region];
     const value = figures ? figure.split('.').reduce((node, key) => node[key], figures) : null;
-    return { region, figure, limit, value, pass: value === null ? optional || isEqual : value <= limit };
+    return { region, figure, limit, value, pass: value === null ? region === 'edge' || isEqual : value <= limit };
   });
   return { gate, pass: checks.every(({ pass }) => pass), checks };
 }

@@ -105,8 +105,6 @@ export interface GateCheck {
   figure: LimitedFigure;
   /** The largest value that passes. */
   limit: number;
-  /** A region without pixels passes. */
-  optional?: boolean;
 }
 
 export const GATES: Readonly<Record<GateName, readonly GateCheck[]>>;
@@ -114,8 +112,8 @@ export const GATES: Readonly<Record<GateName, readonly GateCheck[]>>;
 export interface Verdict {
   gate: GateName;
   pass: boolean;
-  /** value is null where the region has no pixels. Equal pictures pass every check. */
-  checks: Array<Omit<GateCheck, 'optional'> & { value: number | null; pass: boolean }>;
+  /** value is null where the region has no pixels: only an edge passes then. Equal pictures pass every check. */
+  checks: Array<GateCheck & { value: number | null; pass: boolean }>;
 }
 
 /**

@@ -8,6 +8,7 @@ export type Vec3 = [number, number, number];
 /** A camera of a model, degrees and metres, world space. */
 export interface CameraFact {
   name: string;
+  /** Number of the node in the file. */
   node: number;
   projection: 'perspective' | 'orthographic';
   fovY?: number;

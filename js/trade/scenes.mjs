@@ -1,6 +1,6 @@
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { LIGHTS, numbered } from '../analyse/index.mjs';
+import { LIGHTS, toldApart } from '../analyse/index.mjs';
 import { TelarError } from '../error/index.mjs';
 import { nearest, shown } from '../shot/complain.mjs';
 
@@ -34,12 +34,6 @@ export function benchLights(names) {
     throw new TelarError('E_USAGE', `--environments: expected ${Object.keys(LIGHTS).join(', ')} or an .hdr or .exr file, got ${shown(name)}${hint}`);
   });
 }
-
-/** Models or lights, those with one name told apart by number. */
-const toldApart = (list) => {
-  const names = numbered(list.map(({ name }) => name));
-  return list.map((each, i) => ({ ...each, name: names[i] }));
-};
 
 /**
  * Every model in every light, size and shading.

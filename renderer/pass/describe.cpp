@@ -90,10 +90,12 @@ Json rangeWarning(double share) {
 }  // namespace pass
 
 std::string planFrame(const Scene& scene, const Shot& shot, const Limits& limits) {
-  if (shot.reference || tracedInstead(scene, shot))
+  // Neither has programs.
+  const char* alone = shot.isLinesAlone() ? "flat" : shot.reference || tracedInstead(scene, shot) ? "trace" : nullptr;
+  if (alone)
     return pass::Json{{"features", pass::Json::array()},
                       {"programs", pass::Json::array()},
-                      {"passes", {"trace"}},
+                      {"passes", {alone}},
                       {"traceable", isTraceable(scene, shot)}}
         .dump();
   const pass::FramePlan plan = pass::planDraws(scene, shot, limits, false);

@@ -1,6 +1,5 @@
 #include "telar/render_frame.h"
 
-#include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -15,12 +14,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 bool drawsLines(const Shot& shot) { return shot.style == Style::kFlat || shot.hasLayer(Layer::kLine); }
-
-/// Whether lines are all that the shot shows.
-bool isLinesAlone(const Shot& shot) {
-  return shot.style == Style::kFlat &&
-         std::all_of(shot.layers.begin(), shot.layers.end(), [](Layer layer) { return layer == Layer::kLine; });
-}
 
 /// The picture is another one than elsewhere: the tracer's noise and light differ a little from the raster's.
 void warnOfRaster(FrameInfo& info, const std::string& missing) {
@@ -61,7 +54,7 @@ Frame renderFrame(Renderer& raster, const std::shared_ptr<const Scene>& scene, c
   const Clock::time_point start = Clock::now();
   LayerImage lines = drawLines(*scene, shot, cancel);
   Frame frame;
-  if (isLinesAlone(shot)) {
+  if (shot.isLinesAlone()) {
     waitForImages(*scene, cancel);  // a damaged one is told, whatever the picture shows
     info.json = describeFlat(shot, std::chrono::duration<double, std::milli>(Clock::now() - start).count());
   } else {

@@ -161,7 +161,7 @@ class Builder {
       if (!(within || wears(material)) || primitives[p].topology == Topology::kPoints) continue;
       any = true;
       if (options_.isMeant && !options_.isMeant(node, materialIndex(primitives[p], options_.variant))) continue;
-      const std::size_t places = node.instances ? node.instances->matrices.size() : 1;
+      const std::size_t places = node.places();
       count(primitives[p], places);
       for (std::size_t i = 0; i < places; ++i) {
         const glm::dmat4 world = node.instances ? node.world * glm::dmat4(node.instances->matrices[i]) : node.world;

@@ -25,7 +25,7 @@ std::uint64_t checkWork(const Scene& scene, int rays, const Limits& limits) {
   std::uint64_t bytes = 0;
   for (const Node& node : scene.nodes) {
     if (node.mesh < 0) continue;
-    const std::size_t drawn = node.instances ? node.instances->matrices.size() : 1;
+    const std::size_t drawn = node.places();
     for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
       if (primitive.topology != Topology::kTriangles) continue;
       std::size_t& known = places[&primitive];

@@ -70,10 +70,9 @@ class Placer {
     scene_.bounds.min = glm::min(scene_.bounds.min, bounds.min);
     scene_.bounds.max = glm::max(scene_.bounds.max, bounds.max);
     scene_.drawCount += primitives.size();
-    const std::uint64_t instances = node.instances ? node.instances->matrices.size() : 1;
     for (const auto& p : primitives) {
-      scene_.vertexCount += p.positions.size();
-      scene_.triangleCount += trianglesOf(p) * instances;
+      scene_.vertexCount += p.positions.size() * node.places();
+      scene_.triangleCount += trianglesOf(p) * node.places();
     }
   }
 

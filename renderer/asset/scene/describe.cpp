@@ -103,13 +103,13 @@ glm::dvec3 unit(const glm::dvec3& v, const glm::dvec3& fallback) {
 }
 
 /// Looks along the node's -Z; the target is the point of that ray which is nearest to the scene's centre.
-json describe(const ModelCamera& camera, const Node& node, std::size_t nodeIndex, const Bounds& bounds) {
+json describe(const ModelCamera& camera, const Node& node, const Bounds& bounds) {
   const glm::dvec3 position(node.world[3]);
   const glm::dvec3 forward = unit(-glm::dvec3(node.world[2]), {0, 0, -1});
   const double distance = glm::dot(bounds.middle() - position, forward);
   const glm::dvec3 target = position + forward * (distance > 0 ? distance : 1.0);
   json out = {{"name", camera.name.empty() ? node.name : camera.name},
-              {"node", nodeIndex},
+              {"node", node.file.node},
               {"projection", camera.perspective ? "perspective" : "orthographic"}};
   if (camera.perspective) {
     out["fovY"] = degrees(camera.fovY);
@@ -157,7 +157,7 @@ json describeCameras(const Scene& scene) {
   std::sort(placed.begin(), placed.end());
   json out = json::array();
   for (const auto& [camera, node] : placed) {
-    out.push_back(describe(scene.cameras[static_cast<std::size_t>(camera)], scene.nodes[node], node, scene.bounds));
+    out.push_back(describe(scene.cameras[static_cast<std::size_t>(camera)], scene.nodes[node], scene.bounds));
   }
   return out;
 }
@@ -179,7 +179,7 @@ json describeVariants(const Scene& scene) {
   for (const Node& node : scene.nodes) {
     if (node.mesh < 0) continue;
     for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
-      const auto corners = static_cast<std::int64_t>(cornersOf(primitive));
+      const auto corners = static_cast<std::int64_t>(cornersOf(primitive) * node.places());
       if (known(primitive.material)) all[primitive.material] += corners;
       for (const auto& [variant, material] : primitive.variantMaterials) {
         if (variant < 0 || static_cast<std::size_t>(variant) >= changes.size()) continue;

@@ -175,6 +175,9 @@ struct Node {
   std::shared_ptr<const Instances> instances;  ///< null = drawn once, where the node is
   /// By index of a material: the one that its mesh shows in its place. Null = its own; nodes of one mesh share it.
   std::shared_ptr<const std::map<int, int>> materials;
+
+  /// How many times its mesh is to be seen.
+  std::size_t places() const { return instances ? instances->matrices.size() : 1; }
 };
 
 struct Warning {

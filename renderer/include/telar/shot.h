@@ -88,6 +88,12 @@ struct Shot : shot::Size, shot::Values, shot::RasterQuality {
   DebugOutput debugOutput = DebugOutput::kNone;
 
   bool hasLayer(Layer layer) const { return std::find(layers.begin(), layers.end(), layer) != layers.end(); }
+
+  /// Whether lines are all that it shows.
+  bool isLinesAlone() const {
+    return style == Style::kFlat &&
+           std::all_of(layers.begin(), layers.end(), [](Layer layer) { return layer == Layer::kLine; });
+  }
 };
 
 /// Whether it gives light anywhere.

@@ -114,7 +114,9 @@ test('a baked file may be baked again, and everything else in it stays', async (
   });
   const once = await bake(bytes, { rays: 16, cacheDirectory: null });
   const twice = await bake(once.data, { rays: 16, cacheDirectory: null });
-  assert.deepEqual(await readAttributes(twice.data), await readAttributes(once.data));
+  assert.ok(twice.data.equals(once.data));
+  const finer = { rays: 64, cacheDirectory: null };
+  assert.ok((await bake(once.data, finer)).data.equals((await bake(bytes, finer)).data), 'nothing of the earlier bake is left, and the file does not grow');
   const jsonOf = (data) => JSON.parse(data.subarray(20, 20 + data.readUInt32LE(12)).toString());
   assert.deepEqual(jsonOf(twice.data).extras, { ours: [1, 2] });
   const { front } = await readAttributes(once.data);
@@ -135,9 +137,37 @@ test('a .gltf file keeps its parts beside it and gets its bytes within', async (
     writeFileSync(path.join(folder, 'baked.gltf'), data);
     const facts = await inspect(path.join(folder, 'baked.gltf'), { shot: SHOT });
     assert.ok(facts.plan.features.includes('ambient-visibility'));
+    const finer = { rays: 64, cacheDirectory: null };
+    const again = [path.join(folder, 'baked.gltf'), path.join(folder, 'shirt.gltf')].map((file) => bake(file, finer));
+    const [first, second] = (await Promise.all(again)).map((baked) => baked.data);
+    assert.ok(first.equals(second), 'baked again it is the same');
   } finally {
     rmSync(folder, { recursive: true });
   }
+});
+
+test('a GLB keeps the chunks that glTF does not name', async () => {
+  const chunk = Buffer.from('\x04\0\0\0NOTEours');
+  const noted = Buffer.concat([model, chunk]);
+  noted.writeUInt32LE(noted.length, 8);
+  const { data, info } = await bake(noted, { rays: 16, cacheDirectory: null });
+  assert.ok(data.subarray(-chunk.length).equals(chunk) && data.readUInt32LE(8) === data.length);
+  assert.deepEqual(
+    info.warnings.map(({ code }) => code),
+    ['W_GLB_CHUNK'],
+  );
+  assert.deepEqual(await readAttributes(data), await readAttributes((await bake(model, { rays: 16, cacheDirectory: null })).data));
+});
+
+test('vertices that share what an earlier bake found get their own', async () => {
+  const once = await bake(model, { rays: 16, cacheDirectory: null });
+  const shared = editedGlb(once.data, ({ meshes }) => {
+    const [floor, wall] = meshes.map(({ primitives }) => primitives[0].attributes);
+    floor._TELAR_VISIBILITY_BACK = floor._TELAR_VISIBILITY;
+    wall._TELAR_VISIBILITY_BACK = wall._TELAR_VISIBILITY;
+  });
+  const again = await bake(shared, { rays: 16, cacheDirectory: null });
+  for (const mesh of [0, 1]) assert.deepEqual(await readAttributes(again.data, mesh), await readAttributes(once.data, mesh));
 });
 
 /** Runs `use` with an empty folder. */

@@ -123,10 +123,13 @@ test('errors of a file reach the caller with their place', async () => {
 });
 
 test('inspect plans what a render reports', async () => {
-  const { plan, bounds } = await inspect(cloth, { shot: SHOT });
-  const { info } = await renderer.render(cloth, SHOT);
-  assert.deepEqual([plan.features, plan.passes], [info.features, info.passes]);
-  assert.equal(bounds.min.length, 3);
+  const flat = { ...SHOT, style: 'flat' };
+  for (const shot of [SHOT, flat, { ...flat, layers: ['line'] }, { ...flat, layers: ['beauty', 'depth'] }]) {
+    const { plan, bounds } = await inspect(cloth, { shot });
+    const { info } = await renderer.render(cloth, shot);
+    assert.deepEqual([plan.features, plan.passes], [info.features, info.passes]);
+    assert.equal(bounds.min.length, 3);
+  }
 });
 
 test('doctor names what createRenderer takes', async () => {

@@ -177,6 +177,11 @@ test('a region without pixels of pictures that differ is within no gate that ask
   assert.deepEqual([verdict.pass, verdict.checks.map(({ value }) => value)], [false, [null, null, null]]);
 });
 
+test('a limit of an edge lets through pictures that have none, in every gate', () => {
+  const opaque = compareImages(flat(SIZE, SIZE, [9, 9, 9, 255]), flat(SIZE, SIZE, [10, 9, 9, 255]));
+  for (const gate of ['parity', 'draft']) assert.equal(judge(opaque, gate, { 'edge.max': 2 }).pass, true, gate);
+});
+
 test("limits stand in place of a gate's, or beside them", () => {
   const comparison = compareImages(square(SIZE), withPixel(square(SIZE), 16, 16, [110, 110, 110, 255]));
   const checks = (limits) => judge(comparison, 'parity', limits).checks.map(({ region, figure, limit, pass }) => [`${region}.${figure}`, limit, pass]);
