@@ -13,6 +13,9 @@ const ALPHA = 0x10;
 /** A frame replaces what was there before, rather than be blended with it. */
 const NO_BLEND = 0x02;
 
+/** Least bytes of chunks that tell the size. */
+const HEADER_BYTES = { VP8X: 10, 'VP8 ': 10, VP8L: 5 };
+
 /** Chunks that hold a picture; others (profile, metadata) are left out. */
 const PICTURE = ['ALPH', 'VP8 ', 'VP8L'];
 
@@ -40,7 +43,7 @@ function chunksOf(file, index) {
 
 /** Width and height of a picture, and whether it has transparency. */
 function headerOf(chunks, index) {
-  const dataOf = (wanted) => chunks.find(({ name }) => name === wanted)?.data;
+  const dataOf = (wanted) => chunks.find(({ name, data }) => name === wanted && data.length >= HEADER_BYTES[wanted])?.data;
   const [extended, lossy, lossless] = ['VP8X', 'VP8 ', 'VP8L'].map(dataOf);
   // An animation has its pictures within chunks of frames.
   if (!lossy && !lossless) throw wrongOption(`frames[${index}]`, 'a still WebP picture', 'a file without one');

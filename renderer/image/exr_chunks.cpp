@@ -12,7 +12,8 @@
 namespace telar::image {
 namespace {
 
-constexpr std::uint64_t TABLE_ENTRY_BYTES = 8;  // of a table of chunks
+constexpr std::uint64_t TABLE_ENTRY_BYTES = 8;      // of a table of chunks
+constexpr std::uint64_t TILE_BYTES_MAX = 64 << 20;  // 2,048 x 2,048 of four floats
 
 std::int64_t rowsOfChunk(ExrCompression compression) {
   switch (compression) {
@@ -119,6 +120,7 @@ class Walk {
 
   void tiles(const CancelToken& cancel) {
     const std::int64_t width = part_.tiles.width, height = part_.tiles.height;
+    checkTileSize();
     std::uint64_t i = 0;
     for (std::int64_t y = 0; y < part_.height; y += height) {
       for (std::int64_t x = 0; x < part_.width; x += width, ++i) {
@@ -130,6 +132,14 @@ class Walk {
   }
 
  private:
+  /// OpenEXR takes memory for whole tiles, also where the map ends within the first one.
+  void checkTileSize() const {
+    const std::uint64_t map = static_cast<std::uint64_t>(part_.width * part_.height) * texelBytes_;
+    const std::uint64_t texels = std::uint64_t{part_.tiles.width} * part_.tiles.height;
+    if (texels > std::max(map, TILE_BYTES_MAX) / std::max<std::uint64_t>(texelBytes_, 1))
+      throw damagedEnvironment(".exr header has tiles that are far larger than its map", 0);
+  }
+
   std::size_t place(std::uint64_t i) const { return exr_.tables + static_cast<std::size_t>(i * TABLE_ENTRY_BYTES); }
   std::uint64_t entry(std::uint64_t i) const { return le64(data(file_) + place(i)); }
 

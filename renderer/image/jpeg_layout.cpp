@@ -43,7 +43,8 @@ void readFrame(const std::uint8_t* segment, std::size_t length, std::uint8_t mar
 }  // namespace
 
 JpegLayout readJpegLayout(Bytes file, bool wholeFile) {
-  constexpr std::string_view EXIF("Exif\0\0", 6);
+  constexpr std::string_view EXIF("Exif\0", 5);
+  constexpr std::size_t EXIF_BYTES = EXIF.size() + 1;  // and a byte to fill, of any value
   JpegLayout layout;
   bool hasExif = false;
   const std::uint8_t* p = data(file);
@@ -58,12 +59,13 @@ JpegLayout readJpegLayout(Bytes file, bool wholeFile) {
       throw corrupt("JPEG", "a segment is longer than the file").atOffset(position);
     }
     if (isFrame(marker)) readFrame(p + position, length, marker, layout);
-    if (layout.frame && !wholeFile) return layout;
-    if (marker == APP1 && !hasExif && hasAt(file, position + 2, EXIF) && length >= 2 + EXIF.size()) {
+    // Browsers look for EXIF up to the first scan: it may stand behind the frame header.
+    if (marker == APP1 && !hasExif && !layout.scans && length >= 2 + EXIF_BYTES && hasAt(file, position + 2, EXIF)) {
       hasExif = true;
-      layout.orientation = readOrientation(file.subspan(position + 2 + EXIF.size(), length - 2 - EXIF.size()));
+      layout.orientation = readOrientation(file.subspan(position + 2 + EXIF_BYTES, length - 2 - EXIF_BYTES));
     }
     if (marker == SOS) ++layout.scans;
+    if (layout.scans && !wholeFile) break;
     position += length;
   }
   if (!layout.frame) throw corrupt("JPEG", "it has no frame header");

@@ -13,7 +13,7 @@ struct JpegLayout {
   std::uint64_t scans = 0;  ///< start-of-scan markers
 };
 
-/// @param wholeFile false: stop at the frame header, `scans` stays 0.
+/// @param wholeFile false: stop at the first scan, behind which nothing but `scans` changes.
 /// @throws Error{E_IMAGE_CORRUPT} when there is no frame header or a segment ends behind the file.
 JpegLayout readJpegLayout(Bytes file, bool wholeFile);
 

@@ -39,7 +39,7 @@ int readOrientation(Bytes exif) {
     if (!tiff.has(entry, ENTRY_BYTES)) return 1;
     if (tiff.u16(entry) != TAG_ORIENTATION || tiff.u16(entry + 2) != TYPE_SHORT || tiff.u32(entry + 4) != 1) continue;
     const std::uint32_t value = tiff.u16(entry + 8);
-    return value >= 1 && value <= 8 ? int(value) : 1;
+    if (value >= 1 && value <= 8) return int(value);
   }
   return 1;
 }

@@ -133,6 +133,25 @@ TEST(Exr, ChunksAreWhereTheTableSays) {
   }
 }
 
+// OpenEXR takes memory for a whole tile before it reads one: 4 GB for a file of 10 KB.
+TEST(Exr, TilesFarLargerThanTheirMapAreRefusedBeforeTheyAreRead) {
+  ExrKind kind{"b44"};
+  kind.isTiled = true;
+  File file = exrFile(kind, 16, 16);
+  const std::size_t at = attribute(file, "tiles", "tiledesc");
+  ASSERT_EQ(number(file, at + 4), 16u);
+  for (const std::uint32_t height : {0xff0010u, 0xffffffffu}) {
+    set(file, at + 4, height);
+    try {
+      telar::readEnvironment(file, {}, {}, FULL);
+      FAIL() << height;
+    } catch (const telar::Error& error) {
+      EXPECT_NE(std::string(error.what()).find("tiles that are far larger than its map"), std::string::npos)
+          << error.what();
+    }
+  }
+}
+
 // OpenEXR reads attributes of known types by lengths of its own: another header than the one that was checked.
 TEST(Exr, AttributesHaveTheLengthOfTheirType) {
   File file = exrFile({"zip"}, WIDTH, HEIGHT);

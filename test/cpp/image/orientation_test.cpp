@@ -92,3 +92,29 @@ TEST(Orientation, TurnsEachCase) {
     EXPECT_EQ(drawn(upright(numbered(), orientation)), expected[orientation - 1]) << orientation;
   }
 }
+
+// A model is laid out by the header, before its images are decoded.
+TEST(Orientation, OfJpegIsThatOfTheHeaderWhereverExifStands) {
+  const File file = encoded(frame8(40, 24, true), telar::OutputOptions::Format::kJpeg);
+  const auto marker = [&](int second) {
+    const auto* at = reinterpret_cast<const std::uint8_t*>(file.data());
+    std::size_t i = 2;
+    while (at[i] != 0xff || at[i + 1] != second) ++i;
+    return i;
+  };
+  const File directory = exif(true, 0x112, 3, 6);
+  for (const char fill : {'\0', '\xff'}) {
+    const File segment =
+        concat({bytes(std::string("\xff\xe1\0", 3) + char(8 + directory.size()) + std::string("Exif\0", 5) + fill),
+                directory});
+    for (const std::size_t place : {std::size_t{2}, marker(0xc0), marker(0xda)}) {
+      const File turned = concat({cut(file, place), segment, File(file.begin() + long(place), file.end())});
+      const telar::ImageHeader header = telar::readImageHeader(turned, {});
+      const telar::Image8 image = telar::decodeImage(turned, {}, {});
+      EXPECT_EQ(header.width, 24u) << place;
+      EXPECT_EQ(header.height, 40u) << place;
+      EXPECT_EQ(image.width, 24u) << place;
+      EXPECT_EQ(image.height, 40u) << place;
+    }
+  }
+}

@@ -76,6 +76,10 @@ test('what is no frame is refused by its place', async () => {
     .toBuffer();
   assert.equal(extended.toString('latin1', 12, 16), 'VP8X');
   assert.equal((await sharp(animateWebp([one, extended]), { animated: true }).metadata()).pages, 2, 'a still one with more than its picture');
+  for (const name of ['VP8 ', 'VP8L', 'VP8X']) {
+    const empty = Buffer.from(`RIFF\x0c\0\0\0WEBP${name}\0\0\0\0`, 'latin1');
+    assert.throws(() => animateWebp([empty]), { code: 'E_OPTION', message: /^frames\[0\]: expected a still WebP picture/ }, name);
+  }
   assert.throws(() => animateWebp([]), { code: 'E_OPTION' });
 });
 

@@ -79,6 +79,33 @@ function pngs() {
   return list;
 }
 
+/** A segment of EXIF whose entries of Orientation are these. */
+function exif(orientations, fill = 0) {
+  const word = (value) => [value >> 8, value & 255];
+  const entries = orientations.flatMap((value) => [...word(0x112), ...word(3), 0, 0, 0, 1, ...word(value), 0, 0]);
+  const body = [...Buffer.from('Exif\0'), fill, ...Buffer.from('MM\0*'), 0, 0, 0, 8, ...word(orientations.length), ...entries, 0, 0, 0, 0];
+  return Buffer.from([0xff, 0xe1, ...word(body.length + 2), ...body]);
+}
+
+/** A JPEG with a segment before its first or its last marker of that kind. */
+function withSegment(file, segment, marker, last = false) {
+  const wanted = Buffer.from([0xff, marker]);
+  const place = last ? file.lastIndexOf(wanted) : file.indexOf(wanted);
+  return Buffer.concat([file.subarray(0, place), segment, file.subarray(place)]);
+}
+
+/** Where browsers look for EXIF, and what of it they take. */
+async function jpegsWithExif() {
+  const [FRAME, SCAN] = [0xc2, 0xda];
+  const file = await raw(3).jpeg({ progressive: true }).toBuffer();
+  return [
+    ['jpeg EXIF behind the frame header', withSegment(file, exif([6]), SCAN)],
+    ['jpeg EXIF between scans', withSegment(file, exif([6]), SCAN, true)],
+    ['jpeg EXIF with a filled byte', withSegment(file, exif([6], 255), FRAME)],
+    ['jpeg EXIF with an orientation of 0 before another', withSegment(file, exif([0, 6]), FRAME)],
+  ];
+}
+
 const raw = (channels) => sharp(picture(channels), { raw: { width: WIDTH, height: HEIGHT, channels } });
 
 async function fromSharp() {
@@ -109,5 +136,5 @@ async function fromSharp() {
 
 /** @returns {Promise<[name: string, file: Buffer][]>} Small images in every form that a texture may have. */
 export async function imageCorpus() {
-  return [...pngs(), ...(await fromSharp())];
+  return [...pngs(), ...(await fromSharp()), ...(await jpegsWithExif())];
 }
