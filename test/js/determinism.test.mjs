@@ -94,3 +94,17 @@ test('EGL surfaceless and OSMesa draw layers of cut-out cloth byte for byte alik
     assert.deepEqual((await egl.render(model, shot)).data, data);
   }
 });
+
+test('a first picture in floats has the bytes of the next one', async () => {
+  const file = path.join(root, 'js/assets/tshirt.glb');
+  for (const [shading, quality] of [
+    ['three', { samples: 16 }],
+    ['fabric', 'medium'],
+  ]) {
+    const renderer = await createRenderer();
+    const draw = () => renderer.render(file, { size: { width: 70, height: 70 }, shading, quality, output: { format: 'raw', bitDepth: 32 } });
+    const [first, next] = [await draw(), await draw()];
+    assert.ok(first.data.equals(next.data), shading);
+    await renderer.close();
+  }
+});
