@@ -263,7 +263,8 @@ class GlRenderer final : public Renderer {
   Frame drawBuffered(pass::SurfaceInputs inputs, StageTimer& timer) {
     const FramePlan& plan = inputs.plan;
     const pass::UnreadLevels unread(plan, inputs.scene, inputs.gpu, buffer_);
-    inputs.unread = &unread;
+    // Another level of detail rounds its last bit otherwise, and floats show that.
+    if (targetFor(inputs.shot).type() == PixelType::kRgba8) inputs.unread = &unread;
     surfaces_.uploadTextures(inputs);
     timer.lap("upload");
     pass::FrameTarget& target = targetFor(inputs.shot);

@@ -203,9 +203,11 @@ void VisibilityBuffer::fill(std::size_t strip, const visibility::FragmentTexels&
     const std::size_t facts = captured_[mesh].varyings;
     visibility::VaryingMixer mixer(meshes_[mesh], owners_.vertices(mesh), grid_.offset);
     const std::size_t first = (std::max(range.firstBlock, begin) - range.firstBlock) * QUADS;
-    const std::size_t last = std::min((std::min(range.endBlock, end) - range.firstBlock) * QUADS, all[mesh].size());
+    const std::size_t last = (std::min(range.endBlock, end) - range.firstBlock) * QUADS;
     for (std::size_t i = first; i < last; ++i) {
-      const ShadingQuad& quad = all[mesh][i];
+      // The last quad fills its block: what the GL shades at once rounds with its neighbours, and those of an earlier
+      // picture may be anything.
+      const ShadingQuad& quad = all[mesh][std::min(i, all[mesh].size() - 1)];
       const glm::uvec2 corner = texelOf(range.firstBlock + i / QUADS, i % QUADS) - glm::uvec2(0, firstRow);
       mixer.mix(quad, out, corner);
       if (range.facts == 0) continue;
