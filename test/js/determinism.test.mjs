@@ -108,3 +108,15 @@ test('a first picture in floats has the bytes of the next one', async () => {
     await renderer.close();
   }
 });
+
+test('a picture in floats has the same bytes after a large one of its model', async () => {
+  const renderer = await createRenderer();
+  const model = await renderer.load(path.join(root, 'js/assets/tshirt.glb'));
+  const floats = { size: { width: 90, height: 90 }, output: { format: 'raw', bitDepth: 32 } };
+  const shots = [floats, { ...floats, shading: 'fabric' }, { ...floats, quality: 'medium' }];
+  const first = await renderer.renderAll(model, shots);
+  await renderer.render(model, { size: { width: 1024, height: 1024 }, camera: { fit: 4 }, quality: 'draft' });
+  const next = await renderer.renderAll(model, shots);
+  for (const i of shots.keys()) assert.ok(first[i].data.equals(next[i].data), `shots[${i}]`);
+  await renderer.close();
+});
