@@ -263,11 +263,10 @@ class GlRenderer final : public Renderer {
   Frame drawBuffered(pass::SurfaceInputs inputs, StageTimer& timer) {
     const FramePlan& plan = inputs.plan;
     const pass::UnreadLevels unread(plan, inputs.scene, inputs.gpu, buffer_);
-    // Another level of detail rounds its last bit otherwise, and floats show that.
-    if (targetFor(inputs.shot).type() == PixelType::kRgba8) inputs.unread = &unread;
+    pass::FrameTarget& target = targetFor(inputs.shot);
+    if (target.type() == PixelType::kRgba8) inputs.unread = &unread;  // floats show the last bit of a level of detail
     surfaces_.uploadTextures(inputs);
     timer.lap("upload");
-    pass::FrameTarget& target = targetFor(inputs.shot);
     const Behind behind = pass::behindOf(plan, inputs.shot);
     Frame frame;
     if ((plan.environmentBackground || plan.ground) && !plan.frame.debugOutput) {
