@@ -367,23 +367,22 @@ export async function createRendererOn(native, options = {}) {
  * A renderer whose GL is not open yet: models are loaded beside that; pictures wait for it, and fail where it does not open.
  * @internal
  * @param {object} [options] of createRenderer
- * @param {import('./opening.mjs').EarlyGl} [earlyGl] is taken where it is what these ask for
  * @param {object} [native] the addon's exports
  * @returns {{renderer: Renderer, opened: Promise<void>, beginLoad: (source: string, signal?: AbortSignal) => object}} opened: rejects where createRenderer()
  *   would; beginLoad: loads a source while its shot is still being read, for one call of render(), which takes what it gives in place of the source
  * @throws {TelarError} X_NATIVE_MISSING, E_OPTION
  */
-export function beginRenderer(options = {}, earlyGl = undefined, native = loadNative()) {
-  const renderer = begunRenderer(native, options, earlyGl);
+export function beginRenderer(options = {}, native = loadNative()) {
+  const renderer = begunRenderer(native, options);
   return { renderer, opened: Renderer.opened(renderer), beginLoad: (source, signal) => Renderer.beginLoad(renderer, source, signal) };
 }
 
-function begunRenderer(native, options, earlyGl) {
+function begunRenderer(native, options) {
   const { signal, ...rest } = rendererOptions(options, Object.keys(native.limits));
   const request = openingRequest(rest);
   const closeLate = ({ renderer }) => void renderer.close();
   // Beside the context, so that the first frame need not wait for it. A failure is the first frame's to report.
   shotModule().catch(() => {});
-  const opening = nativeCall(native, { signal }, (token) => earlyGl?.take(request) ?? native.createRenderer(request, token), closeLate);
+  const opening = nativeCall(native, { signal }, (token) => native.createRenderer(request, token), closeLate);
   return new Renderer(native, opening, rest);
 }

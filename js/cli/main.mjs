@@ -30,9 +30,9 @@ for (const signal of ['SIGINT', 'SIGTERM']) process.on(signal, onSignal);
 /**
  * The process of a command line: its streams, its signals, its exit code.
  * @param {Record<string, import('./program.mjs').Row>} commands that it knows
- * @param {import('../api/opening.mjs').EarlyGl} [earlyGl] that opens already
+ * @param {import('../api/early.mjs').EarlyRenderer} [early] that opens already
  */
-export async function main(commands, earlyGl) {
+export async function main(commands, early) {
   const { stdin, stdout, stderr, env } = process;
   // A reader that has seen enough, as `head`, is no fault. What must arrive is written by writeAll(), which tells.
   for (const stream of [stdout, stderr]) {
@@ -43,11 +43,11 @@ export async function main(commands, earlyGl) {
   // The API, and what lets a command load models beside the opening of the GL.
   const loadApi = async () => {
     const [api, { beginRenderer }] = await Promise.all([import('../index.mjs'), import('../api/renderer.mjs')]);
-    return { ...api, beginRenderer: (options) => beginRenderer(options, earlyGl) };
+    return { ...api, beginRenderer: (options) => early?.take(options) ?? beginRenderer(options) };
   };
   const loadPool = () => import('../pool/index.mjs');
   const io = { stdin, stdout, stderr, env, signal: cancelled.signal, ending, loadApi, loadPool };
   process.exitCode = await run(process.argv.slice(2), io, commands);
-  await earlyGl?.close();
+  await early?.close();
   if (received && !ending.isWell) dieUnfinished();
 }

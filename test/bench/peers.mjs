@@ -181,7 +181,8 @@ const thumbnail = (...args) => {
   return spawnSync(process.execPath, command, { env: PLAIN_ENVIRONMENT, encoding: 'utf8' });
 };
 const [telar, theirs] = [[], []];
-for (let i = 0; i < Math.ceil(RUNS / 3); ++i) {
+for (let i = 0; i < RUNS; ++i) {
+  await settled();
   telar.push(await measured(cpuBelow, () => thumbnail('--quiet')));
   const { shot } = JSON.parse(thumbnail('--json').stdout).images[0].info;
   let fresh;

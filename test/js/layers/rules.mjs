@@ -118,7 +118,7 @@ const JS_LAYERS = {
       'js/shot',
       'js/api/atomic_file.mjs',
       'js/api/fail_on.mjs',
-      'js/api/opening.mjs',
+      'js/api/early.mjs',
       'js/api/renderer.mjs',
       'js/api/sha256.mjs',
       'js/compare',
