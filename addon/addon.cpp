@@ -259,8 +259,6 @@ Napi::Value createRenderer(const Napi::CallbackInfo& info) {
   const Napi::Value promise = mailbox->begin(env, job);
   std::shared_ptr<GlThread> thread;
   try {
-    // Who starts a thread waits while another loads libraries, as the GL's first task does.
-    state.pool();
     thread = state.startGlThread(maxQueued >= 1 ? static_cast<std::size_t>(maxQueued) : 1);
   } catch (...) {
     job->fault = Fault::current();
