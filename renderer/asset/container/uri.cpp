@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdint>
-#include <utility>
 
 #include "asset/check/pointer.h"
 
@@ -43,10 +42,9 @@ int base64Digit(char c) {
   return -1;
 }
 
-/// RFC 4648 section 4; padding may be left out, and lines may be broken, as encoders for mail do. Browsers forgive both.
-std::vector<std::byte> decodeBase64(std::string text, std::string_view where) {
-  std::erase_if(text, [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\f' || c == '\r'; });
-  while (text.ends_with('=') && text.size() % 4 != 1) text.pop_back();
+/// RFC 4648 section 4; padding may be left out, nothing else is forgiven.
+std::vector<std::byte> decodeBase64(std::string_view text, std::string_view where) {
+  while (text.ends_with('=') && text.size() % 4 != 1) text.remove_suffix(1);
   if (text.size() % 4 == 1) fail("E_URI_DATA", "the base64 of a data: URI has a wrong length", where);
   std::vector<std::byte> out;
   out.reserve(text.size() / 4 * 3 + 2);
@@ -114,8 +112,8 @@ std::vector<std::byte> decodeDataUri(std::string_view uri, std::string_view wher
     fail("E_URI_DATA", "a data: URI has the media type " + telar::quoted(type) + ", which holds no buffer and no image",
          where);
   }
-  std::string text = percentDecode(data);
-  if (base64) return decodeBase64(std::move(text), where);
+  if (base64) return decodeBase64(data, where);
+  const std::string text = percentDecode(data);
   const auto* bytes = reinterpret_cast<const std::byte*>(text.data());
   return {bytes, bytes + text.size()};
 }

@@ -66,8 +66,6 @@ TEST(Uri, DataUris) {
   EXPECT_EQ(text("data:application/gltf-buffer;x=1;base64,d29v"), "woo");
   EXPECT_EQ(text("data:,w%6fol"), "wool");
   EXPECT_EQ(text("data:;base64,"), "");
-  EXPECT_EQ(text("data:;base64,d29\r\nvb A=\t=\n"), "wool");
-  EXPECT_EQ(text("data:;base64,Pj4%2BPz8%2f%0AAAA%3d"), std::string(">>>???\0\0", 8));
   for (const char* uri : {"data:application/octet-stream;base64", "data:;base64,d29v b", "data:;base64,d29-",
                           "data:;base64,d29vb", "data:;base64,d=9v", "data:;base64,====", "data:text/html,x"}) {
     EXPECT_EQ(text(uri), "E_URI_DATA") << uri;
